@@ -3,13 +3,16 @@
 #
 #   require build   what building and running scc needs
 #   require test    that, and what the tests need
+#   require package what building scc and making packages needs
 
 build_packages='ocaml-nox ocaml-dune menhir libmenhir-ocaml-dev libzarith-ocaml-dev
   libcmdliner-ocaml-dev libyojson-ocaml-dev libsha-ocaml-dev libbase64-ocaml-dev
   libsqlite3-ocaml-dev libcohttp-lwt-ocaml-dev libzip-ocaml-dev libxmlm-ocaml-dev libjs-codemirror'
 test_packages='libalcotest-ocaml-dev libqcheck-core-ocaml-dev ocp-indent python3 python3-jsonschema
-  python3-pytest python3-venv graphviz libxml2-utils zsh fish
-  chromium chromium-driver python3-selenium node-typescript e2fsprogs'
+  python3-pytest python3-venv python3-setuptools python3-wheel graphviz libxml2-utils zsh fish
+  chromium chromium-driver python3-selenium node-typescript e2fsprogs spin
+  vim-nox neovim emacs-nox r-base-core r-cran-jsonlite'
+package_packages='dpkg-dev git python3 python3-setuptools python3-wheel'
 
 missing_debian_packages() {
   for package in "$@"; do
@@ -77,6 +80,7 @@ require() {
   elif command -v apt-get >/dev/null 2>&1; then
     case $1 in
       build) require_debian $build_packages ;;
+      package) require_debian $build_packages $package_packages ;;
       *) require_debian $build_packages $test_packages ;;
     esac
   elif command -v opam >/dev/null 2>&1; then

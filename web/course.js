@@ -37,7 +37,7 @@ class Course {
     this.slots = new Map();
     this.#lay(run.start);
     /** @type {{ legs: number, bodies: Moving[] } | null} */
-    this.last = null;
+    this.latest = null;
     /** @type {Map<number, Segment[]> | null} */
     this.byLeaf = null;
   }
@@ -146,10 +146,10 @@ class Course {
    * @param {number} k @param {Rational} time
    */
   bodiesAfter(k, time) {
-    if (!this.last || this.last.legs !== k) this.last = { legs: k, bodies: this.#present(k) };
+    if (!this.latest || this.latest.legs !== k) this.latest = { legs: k, bodies: this.#present(k) };
     const high = Twofold.of(time.n, time.d), low = Twofold.low[0];
-    for (const body of this.last.bodies) body.at(time, high, low);
-    return this.last.bodies;
+    for (const body of this.latest.bodies) body.at(time, high, low);
+    return this.latest.bodies;
   }
 
   /**
@@ -157,24 +157,11 @@ class Course {
    * @param {Iterable<number>} leaves @param {number} k @param {Rational} time
    */
   some(leaves, k, time) {
-    if (!this.byLeaf) {
-      /** @type {Map<number, Segment[]>} */
-      const all = new Map();
-      for (const segments of this.slots.values())
-        for (const s of segments)
-          for (const { leaf } of this.data.processes[s.index].leaves) {
-            const own = all.get(leaf);
-            if (own) own.push(s);
-            else all.set(leaf, [s]);
-          }
-      // Of those that begin together, what lasts comes last.
-      for (const own of all.values()) own.sort((a, b) => a.from - b.from || a.to - b.to);
-      this.byLeaf = all;
-    }
+    const all = this.#segments();
     /** @type {Set<Moving>} */
     const found = new Set();
     for (const leaf of leaves) {
-      const own = this.byLeaf.get(leaf) || [], s = own[Course.#upTo(own, k) - 1];
+      const own = all.get(leaf) || [], s = own[Course.#upTo(own, k) - 1];
       if (!s || k >= s.to) continue;
       if (!s.body) s.body = new Moving(this.data.processes[s.index], s.index, s.since);
       s.body.at(time);
@@ -182,6 +169,42 @@ class Course {
     }
     return [...found];
   }
+
+  /** The segments of each leaf, in their order. */
+  #segments() {
+    if (this.byLeaf) return this.byLeaf;
+    /** @type {Map<number, Segment[]>} */
+    const all = new Map();
+    for (const segments of this.slots.values())
+      for (const s of segments)
+        for (const { leaf } of this.data.processes[s.index].leaves) {
+          const own = all.get(leaf);
+          if (own) own.push(s);
+          else all.set(leaf, [s]);
+        }
+    // Of those that begin together, what lasts comes last.
+    for (const own of all.values()) own.sort((a, b) => a.from - b.from || a.to - b.to);
+    return (this.byLeaf = all);
+  }
+
+  /**
+   * Where a leaf was last, if it was there and is gone when so many legs are over; and how many were over when it went.
+   * @param {number} leaf @param {number} k
+   * @returns {{ body: Moving, place: DataPlace, legs: number } | null}
+   */
+  last(leaf, k) {
+    const own = this.#segments().get(leaf) || [], s = own[Course.#upTo(own, k) - 1];
+    if (!s || k < s.to) return null;
+    const process = this.data.processes[s.index], body = new Moving(process, s.index, s.since);
+    body.at(this.arrival(s.to));
+    return { body, place: /** @type {DataPlace} */ (process.leaves.find((place) => place.leaf === leaf)), legs: s.to };
+  }
+
+  /**
+   * The leaves that are gone when so many legs are over.
+   * @param {number} k
+   */
+  gone(k) { return [...this.#segments().keys()].filter((leaf) => this.last(leaf, k) !== null).sort((a, b) => a - b); }
 
   /**
    * How many of the segments begin when k legs are over, or before.

@@ -28,6 +28,8 @@ interface DataLeaf {
   parts: DataPart[];
   /** From the point of reference, as declared. */
   centroid: Vec;
+  /** About the centroid, as declared, where bodies turn: rows. */
+  inertia?: [Vec, Vec, Vec];
 }
 
 type SiteKind = "vertex" | "edge" | "face";
@@ -61,7 +63,8 @@ interface DataProcess {
   bonds: DataBond[];
   velocity: Vec;
   mass: string | null;
-  turn?: { centre: Vec; spin: Vec; since: string };
+  /** kept: of a free body, its angular momentum about the centre. */
+  turn?: { centre: Vec; spin: Vec; since: string; kept?: Vec };
 }
 
 interface DataChoice {
@@ -137,7 +140,11 @@ interface DataRun {
 /** Where checks hold, in the plane of two parameters, or on the line of one (then the second coordinate is from 0 to 1). */
 interface DataWhere {
   axes: { name: string; low: DataBound; high: DataBound }[];
+  /** Parameters that are not shown. */
+  hidden: string[];
   checks: string[];
+  /** Probabilities, each with its values by size. */
+  numbers: { name: string; values: { least: string | null; most: string | null; form?: string }[] }[];
   regions: DataRegion[];
   samples: DataSample[];
 }
@@ -148,7 +155,12 @@ interface DataBound {
 }
 
 interface DataRegion {
+  /** Of the checks. */
   outcomes: string[];
+  /** Of the numbers: which of its values it has; null where that depends on what is not shown. */
+  values: (number | null)[];
+  /** All of it: what satisfies all constraints of a piece. */
+  pieces: { normal: [string, string]; relation: "<" | "<=" | "="; right: string }[][];
   polygons: [string, string][][];
   borders: { ends: [[string, string], [string, string]]; belongs: boolean }[];
   lines: [[string, string], [string, string]][];

@@ -22,7 +22,8 @@ const Depths = (() => {
       class: "graph-map", tabindex: "0", role: "application", test: "graph-map",
       "aria-label": `Map of ${drawing.spots.length} states by depth. Arrows go from state to state, Enter goes there.`,
     }, [canvas, hint]);
-    const look = { scale: 10, x: 0, y: 0 };
+    // Between neighbours in a row there is more room than between rows, where there is.
+    const look = { scale: 10, stretch: 1, x: 0, y: 0 };
     /** @type {number | undefined} */
     let now;
     /** @type {number | undefined} */
@@ -45,7 +46,7 @@ const Depths = (() => {
       });
     }
 
-    const X = (/** @type {number} */ i) => (placed.x[i] + 0.5) * look.scale + look.x;
+    const X = (/** @type {number} */ i) => (placed.x[i] + 0.5) * look.scale * look.stretch + look.x;
     const Y = (/** @type {number} */ i) => (placed.y[i] + 0.5) * look.scale + look.y;
 
     function paint() {
@@ -119,7 +120,8 @@ const Depths = (() => {
       fitted = true;
       moved = false;
       look.scale = Math.max(0.5, Math.min(30, width / wide, height / high));
-      look.x = 20 + (width - wide * look.scale) / 2;
+      look.stretch = Math.max(1, Math.min(2.5, width / wide / look.scale));
+      look.x = 20 + (width - wide * look.scale * look.stretch) / 2;
       look.y = 4 + (height - high * look.scale) / 2;
       later();
     }

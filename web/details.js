@@ -104,10 +104,13 @@ const Details = (() => {
     const found = body(selected.leaf);
     const name = Dom.make("h3", {}, [Dom.make("bdi", { text: Dom.clip(leaf.name, 12000) })]);
     if (!found) {
-      Dom.fill(facts, name, Dom.make("p", { class: "empty", text: "This body is not there now." }));
+      const last = player.course.last(selected.leaf, player.legs);
+      Dom.fill(facts, name, Dom.make("p", { class: "empty", text: "This body is not there now." }),
+        last === null ? null : Dom.make("dl", { class: "facts" }, [
+          ...line("gone since", Exactly.show(last.body.time)), ...vector("last position", player.course.position(last.body, last.place))]));
       return;
     }
-    const { process } = found.body;
+    const { process } = found.body, of = selected.leaf;
     const behaviour = player.data.behaviours[found.place.behaviour];
     Dom.fill(
       facts,
@@ -138,7 +141,10 @@ const Details = (() => {
         ),
         ...line("template", Dom.make("bdi", { text: Dom.clip(leaf.template, 400) })),
       ]),
-      Dom.make("p", {}, [Dom.button("Clear", () => select(null), { class: "small" })]),
+      Dom.make("p", { class: "facts-buttons" }, [
+        Dom.button("Its events", () => Events.of(of), { class: "small", test: "its-events" }),
+        Dom.button("Clear", () => select(null), { class: "small" }),
+      ]),
     );
   }
 

@@ -13,14 +13,20 @@ const Events = (() => {
    * @type {number[]}
    */
   let shown = [];
-  /** Which are listed: "" all but passings of time, "all", or those of one kind; and those whose words have this text. */
-  const wish = { kind: "", text: "", exact: false };
+  /**
+   * Which are listed: "" all but passings of time, "all", or those of one kind; those in which a body takes part; and those
+   * whose words have this text.
+   * @type {{ kind: string, text: string, exact: boolean, leaf: number | null }}
+   */
+  const wish = { kind: "", text: "", exact: false, leaf: null };
+  /** Bodies up to which all can be chosen; of more, those that have events. */
+  const many = 2000;
   /**
    * Positions that the user keeps in view, by runs.
    * @type {WeakMap<PlayedRun, Set<number>>}
    */
   const pins = new WeakMap();
-  /** @type {{ kinds: HTMLSelectElement, found: HTMLElement, pins: HTMLElement }} */
+  /** @type {{ kinds: HTMLSelectElement, bodies: HTMLSelectElement, found: HTMLElement, pins: HTMLElement }} */
   let made;
 
   /** @param {Player} of */
@@ -63,6 +69,10 @@ const Events = (() => {
         show();
       },
     });
+    const bodies = Dom.make("select", {
+      "aria-label": "Events of which body", test: "events-body",
+      change: () => of(bodies.value === "" ? null : Number(bodies.value)),
+    });
     const text = Dom.make("input", {
       type: "search", placeholder: "Search", "aria-label": "Search in events", spellcheck: "false", autocomplete: "off", test: "events-search",
       input: () => {
@@ -78,8 +88,18 @@ const Events = (() => {
       exact.setAttribute("aria-pressed", String(wish.exact));
       list.refresh();
     }, { title: "Times as exact fractions, in full", test: "events-exact", "aria-pressed": "false" });
-    made = { kinds, found: Dom.make("span", { class: "quiet", role: "status", test: "events-found" }), pins: Dom.make("div", { class: "pins", test: "pins" }) };
-    box.append(Dom.make("div", { class: "event-tools" }, [kinds, text, exact, made.found]), made.pins);
+    made = { kinds, bodies, found: Dom.make("span", { class: "quiet", role: "status", test: "events-found" }), pins: Dom.make("div", { class: "pins", test: "pins" }) };
+    box.append(Dom.make("div", { class: "event-tools" }, [kinds, bodies, text, exact, made.found]), made.pins);
+  }
+
+  /**
+   * Lists the events in which a body takes part, and selects it; or all of them.
+   * @param {number | null} leaf
+   */
+  function of(leaf) {
+    wish.leaf = leaf;
+    if (leaf !== null) Details.select({ leaf });
+    show();
   }
 
   /** The position of the next one that is listed, or of the first. */
@@ -92,6 +112,30 @@ const Events = (() => {
     if (wish.kind !== "all" && !seen.has(wish.kind)) wish.kind = "";
     Dom.fill(made.kinds, option("", "Events"), option("all", "With time"), ...[...seen].sort().map((kind) => option(kind, Sketch.kinds[kind] || kind)));
     made.kinds.value = wish.kind;
+    bodies();
+  }
+
+  /** @type {{ run: PlayedRun, steps: number } | null} of which the bodies are listed */
+  let offered = null;
+
+  /** Which bodies there are to choose: those that take part in events, and the others. */
+  function bodies() {
+    const { run, course, data } = player, { leaves } = course;
+    if (wish.leaf !== null && !leaves[wish.leaf]) wish.leaf = null;
+    if (offered === null || offered.run !== run || offered.steps !== run.steps.length) {
+      const active = new Set(run.steps.flatMap((step) => data.labels[step.label].leaves || []));
+      const group = (/** @type {string} */ label, /** @type {(leaf: number) => boolean} */ is) => {
+        const all = [...leaves.keys()].filter(is).slice(0, many);
+        return all.length === 0 ? null : Dom.make("optgroup", { label }, all.map((leaf) => Dom.make("option", { value: leaf, text: Dom.clip(leaves[leaf].name, 60) })));
+      };
+      Dom.fill(made.bodies, Dom.make("option", { value: "", text: "Any body" }), group("With events", (leaf) => active.has(leaf)),
+        leaves.length > many ? null : group("Without events", (leaf) => !active.has(leaf)));
+      offered = { run, steps: run.steps.length };
+    }
+    const value = wish.leaf === null ? "" : String(wish.leaf);
+    if (value !== "" && ![...made.bodies.options].some((option) => option.value === value))
+      made.bodies.append(Dom.make("option", { value, text: Dom.clip(leaves[Number(value)].name, 60) }));
+    made.bodies.value = value;
   }
 
   /**
@@ -99,7 +143,8 @@ const Events = (() => {
    * @param {number} legs
    */
   function listed(legs) {
-    const { kind, text } = wish, last = legs === player.course.legs.length;
+    const { kind, text, leaf } = wish, last = legs === player.course.legs.length;
+    if (leaf !== null && (legs === 0 || !(label(legs).leaves || []).includes(leaf))) return false;
     if (legs === 0) return (kind === "" || kind === "all") && words(0).includes(text);
     const is = label(legs);
     if (kind === "" ? is.kind === "time" && !(last && text === "") : kind !== "all" && is.kind !== kind) return false;
@@ -110,8 +155,12 @@ const Events = (() => {
     choices();
     shown = [];
     for (let legs = 0; legs <= player.course.legs.length; legs++) if (listed(legs)) shown.push(legs);
+    const name = wish.leaf === null ? "" : Dom.clip(player.course.leaves[wish.leaf].name, 60);
+    const plain = wish.text === "" && wish.kind === "";
+    list.nothing.textContent = name === "" ? "No event of the run is so."
+      : plain ? `${name} takes part in no event of this run.` : `No such event of the run has ${name}.`;
     list.show(shown.length, place(player.legs));
-    Dom.tell(made.found, wish.kind === "" && wish.text === "" ? "" : `${shown.length} of ${player.course.legs.length + 1}`);
+    Dom.tell(made.found, wish.kind === "" && wish.text === "" && wish.leaf === null ? "" : `${shown.length} of ${player.course.legs.length + 1}`);
     pinned();
   }
 
@@ -154,14 +203,9 @@ const Events = (() => {
     ])));
   }
 
-  /** @param {number} legs */
-  function unpin(legs) {
-    const is = kept().has(legs);
-    return Dom.button(is ? "×" : "Pin", (event) => {
-      event.stopPropagation();
-      pin(legs);
-    }, { class: "link pin-button", tabindex: "-1", "aria-label": is ? "Unpin" : "Pin", title: is ? "Unpin" : "Keep it in view (p)", test: `pin-${legs}` });
-  }
+  /** @param {number} legs of one that is pinned */
+  const unpin = (legs) => Dom.button("×", () => pin(legs),
+    { class: "link pin-button", "aria-label": "Unpin", title: "Unpin", test: `unpin-${legs}` });
 
   /** @param {number} legs */
   const kind = (legs) => (legs === 0 ? "start" : label(legs).kind);
@@ -194,7 +238,15 @@ const Events = (() => {
       Dom.make("span", { class: "row-side" }, [
         Dom.make("span", { class: wish.exact ? "time whole" : "time", text: wish.exact ? exact : short(time), title: Exactly.both(time) }),
         wish.exact && exact.length > 20 ? null : Dom.make("span", {}, [
-          unpin(index),
+          // No button, as a row is one choice of a list; by keys, p pins the present event.
+          Dom.make("span", {
+            class: "link pin-button", text: kept().has(index) ? "×" : "Pin", title: kept().has(index) ? "Unpin" : "Keep it in view (p)",
+            "aria-hidden": "true", test: `pin-${index}`,
+            click: (/** @type {Event} */ event) => {
+              event.stopPropagation();
+              pin(index);
+            },
+          }),
           rules.length === 0
             ? null
             : Dom.make("span", {
@@ -286,5 +338,5 @@ const Events = (() => {
     );
   }
 
-  return { start, words };
+  return { start, words, of };
 })();

@@ -304,5 +304,5 @@ const Export = (() => {
     return wanted.kind === "film" ? film(wanted, () => true) : png(wanted);
   };
 
-  return { start, open, bytes, command: (/** @type {Partial<Wishes>} */ some) => command({ ...wishes, ...some }), schedule };
+  return { start, open, bytes, command: (/** @type {Partial<Wishes>} */ some) => command({ ...wishes, ...some }), schedule, quoted };
 })();

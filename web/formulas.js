@@ -300,6 +300,18 @@ const Formulas = (() => {
     all[at] = { ...all[at], text: "" };
   }
 
+  /**
+   * Whether one of one's own is about all bodies, in a page from disk.
+   * @param {number} own
+   */
+  function wide(own) {
+    try {
+      return compile(all[own].text).needs === null;
+    } catch (_) {
+      return false;
+    }
+  }
+
   /** The plots that are one's own. */
   const own = () => all.map((_, i) => player.data.plots.length + i).filter(there);
 
@@ -369,5 +381,5 @@ const Formulas = (() => {
     return Dom.button("Show its run", to, { class: "small", test: "judged-run" });
   }
 
-  return { start, add, drop, text, kind, piece, value, evaluate, look, own, there, words };
+  return { start, wide, add, drop, text, kind, piece, value, evaluate, look, own, there, words };
 })();

@@ -42,19 +42,20 @@ const Frame = (() => {
 
   /**
    * All that moves, and what is fixed, unless it is much larger: of that, what is beside those that move. A wall around
-   * others may be larger than any other one.
-   * @param {Box[]} all @param {ReturnType<typeof Walls.find>} walls
+   * others may be larger than any other one; of what is larger and matters, more is seen.
+   * @param {Box[]} all @param {ReturnType<typeof Walls.find>} walls @param {Set<number>} matters leaves
    */
-  function whole(all, walls) {
+  function whole(all, walls, matters) {
     const moving = all.filter((b) => !b.fixed);
     const main = moving.length ? moving : all;
     const around = range(main.flatMap((b) => [b.low, b.high])), wide = size(around);
     const points = main.flatMap((b) => b.points);
     for (const b of all) {
       if (!b.fixed) continue;
-      const low = b.low.map((l, i) => Math.max(l, around.low[i] - wide / 4));
-      const high = b.high.map((h, i) => Math.min(h, around.high[i] + wide / 4));
-      if (size(b) <= (walls.get(b.leaf) ? 12 : 4) * wide) points.push(...b.points);
+      const room = (matters.has(b.leaf) ? 0.5 : 0.25) * wide;
+      const low = b.low.map((l, i) => Math.max(l, around.low[i] - room));
+      const high = b.high.map((h, i) => Math.min(h, around.high[i] + room));
+      if (size(b) <= (walls.get(b.leaf) ? 12 : 2) * wide) points.push(...b.points);
       else if (low.every((l, i) => l <= high[i])) points.push(/** @type {Triple} */ (low), /** @type {Triple} */ (high));
     }
     const box = range(points);

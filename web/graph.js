@@ -78,10 +78,14 @@ const Graph = (() => {
   /** Whether what is near alone is drawn. */
   const partly = () => (wish.show || (all().states.length > few ? "near" : "all")) === "near";
 
+  /** Why `scc check` may have another number. */
+  const counted = () => (player.data.runs.some(({ check }) => check && /\bevent\b/.test(check.formula))
+    ? " As checks ask about events, scc check counts a state once for each such event that has just led there." : "");
+
   /** What is said of how much is known. */
   function told() {
     const { data } = player, { graph } = data;
-    if (graph && graph.complete) return `All ${graph.states} states that there are.`;
+    if (graph && graph.complete) return `All ${graph.states} states that there are.${counted()}`;
     if (Live.on) return `${all().looked} states were looked at so far; the graph grows as you go on.`;
     if (!graph) return `The file holds the ${data.states.length} states of its runs.`;
     return `${graph.states} states, of ${graph.expanded} of which all that can happen is known: ` +
@@ -161,6 +165,7 @@ const Graph = (() => {
     lit = null;
     made.next.hidden = true;
     say("", false);
+    document.dispatchEvent(new CustomEvent("graph"));
     try {
       if (text !== "") {
         const formula = Meaning.compile(data, course.leaves, { ...data.parameters, ...run.values }, text);
@@ -200,6 +205,7 @@ const Graph = (() => {
   /** Other choices of the user. */
   function other() {
     drawn = fitted = false;
+    document.dispatchEvent(new CustomEvent("graph"));
     show();
   }
 
@@ -231,7 +237,7 @@ const Graph = (() => {
     const roots = starts.flatMap((state) => spotOf.get(state) ?? []);
     const wanted = {
       count, edges: drawing.edges, roots, ...(drawing.layers ? { given: drawing.layers } : {}),
-      ...(large ? { columns: Math.ceil(Math.sqrt(count * 1.5)) } : {}),
+      ...(large ? { aspect: Math.max(0.2, view.clientWidth / Math.max(1, view.clientHeight)) } : {}),
     };
     const of = drawing;
     let done = false;
@@ -431,5 +437,39 @@ const Graph = (() => {
     return new XMLSerializer().serializeToString(copy);
   }
 
-  return { start, show };
+  /** What the user has chosen, as words of an address. */
+  function save() {
+    if (!note) return "";
+    return [
+      Dom.get("graph-panel").hidden ? "" : "open", wish.show || "", wish.steps === 3 ? "" : String(wish.steps),
+      wish.fold === null ? "" : wish.fold ? "fold" : "whole", wish.labels ? "labels" : "",
+    ].filter(Boolean).join(".");
+  }
+
+  /** The formula of the search. */
+  const sought = () => (note ? /** @type {any} */ (made.search).value.trim() : "");
+
+  /**
+   * Chooses what an address says.
+   * @param {string} words @param {string} sought @returns {boolean} whether all of it is known
+   */
+  function load(words, sought) {
+    const wanted = words === "" ? [] : words.split(".");
+    const known = wanted.every((word) => /^(open|near|all|fold|whole|labels|[1-9][0-9]?)$/.test(word));
+    for (const word of wanted) {
+      if (word === "near" || word === "all") wish.show = word;
+      else if (word === "fold" || word === "whole") wish.fold = word === "fold";
+      else if (word === "labels") wish.labels = true;
+      else if (/^[1-9][0-9]?$/.test(word)) wish.steps = Number(word);
+    }
+    if (!note) tools();
+    /** @type {any} */ (made.search).value = sought;
+    drawn = fitted = false;
+    if (sought !== "") search();
+    if (wanted.includes("open") && Dom.get("graph-panel").hidden) Dom.get("graph-switch").click();
+    else if (!Dom.get("graph-panel").hidden) show();
+    return known;
+  }
+
+  return { start, show, save, load, sought };
 })();

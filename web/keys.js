@@ -64,6 +64,23 @@ const Keys = (() => {
     });
     Dom.get("help").addEventListener("click", () => dialog.showModal());
     document.addEventListener("keydown", key);
+    release();
+  }
+
+  /** Keys go on working on the page after one has chosen from a list by the pointer, or pressed Escape in a field. */
+  function release() {
+    let pointed = false;
+    document.addEventListener("pointerdown", (event) => {
+      pointed = event.target instanceof HTMLSelectElement;
+    }, true);
+    document.addEventListener("keydown", (event) => {
+      if (event.target instanceof HTMLSelectElement && event.key !== "Enter") pointed = false;
+      const field = event.target instanceof HTMLSelectElement || event.target instanceof HTMLInputElement;
+      if (event.key === "Escape" && field && !document.querySelector("dialog[open]")) /** @type {HTMLElement} */ (event.target).blur();
+    });
+    document.addEventListener("change", (event) => {
+      if (pointed && event.target instanceof HTMLSelectElement && !document.querySelector("dialog[open]")) event.target.blur();
+    });
   }
 
   function about() {

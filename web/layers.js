@@ -6,15 +6,15 @@
  */
 const Layers = (() => {
   /**
-   * @typedef {{ count: number, edges: [number, number][], roots: number[], given?: number[], columns?: number }} Wanted
-   *   Nodes 0 … count - 1; those of the first layer; the layers, where these are known; into how many columns at most
-   *   a layer is folded.
+   * @typedef {{ count: number, edges: [number, number][], roots: number[], given?: number[], aspect?: number }} Wanted
+   *   Nodes 0 … count - 1; those of the first layer; the layers, where these are known; how wide the picture of a map is, in
+   *   which layers are folded, beside its height.
    * @typedef {{ layer: number[], order: number[][], x: number[], y: number[] }} Placed  The layer of each node; the nodes
    *   of each layer, left to right; their places, those of neighbours in a row at least 1 from each other.
    */
 
   /** @param {Wanted} wanted @returns {Placed} */
-  function place({ count, edges, roots, given, columns }) {
+  function place({ count, edges, roots, given, aspect }) {
     const layer = given || distances(count, edges, roots);
     /** @type {number[][]} */
     const order = Array.from({ length: layer.reduce((most, l) => Math.max(most, l + 1), 0) }, () => []);
@@ -22,7 +22,7 @@ const Layers = (() => {
     for (const node of searched(count, edges, layer)) order[layer[node]].push(node);
     const sides = neighbours(layer, edges);
     sweep(order, layer, edges, sides);
-    return { layer, order, ...(columns ? folded(order, count, columns) : spread(order, count, sides)) };
+    return { layer, order, ...(aspect ? folded(order, count, columns(order, aspect)) : spread(order, count, sides)) };
   }
 
   /**
@@ -187,6 +187,21 @@ const Layers = (() => {
     });
     let i = 0;
     for (const { sum, size } of blocks) for (let k = 0; k < size; k++, i++) x[nodes[i]] = sum / size + i;
+  }
+
+  /**
+   * So many columns that dots are as large as may be.
+   * @param {number[][]} order @param {number} aspect
+   */
+  function columns(order, aspect) {
+    const most = order.reduce((all, nodes) => Math.max(all, nodes.length), 1);
+    let best = most, largest = 0;
+    for (let count = 1; count <= most; count = Math.max(count + 1, Math.floor(count * 1.03))) {
+      const rows = order.reduce((sum, nodes) => sum + Math.max(1, Math.ceil(nodes.length / count)) + 1, -1);
+      const size = Math.min(aspect / count, 1 / rows);
+      if (size > largest) [best, largest] = [count, size];
+    }
+    return best;
   }
 
   /**

@@ -1,9 +1,9 @@
 "use strict";
 
 /**
- * Addresses of what is shown: the part of the page's address after # holds the run, the exact time and how
- * many legs are
- * taken, one's own choices, the camera and what is selected. The size of the scene is there for `scc view --camera`.
+ * Addresses of what is shown: the part of the page's address after # holds the run, the exact time and how many legs are
+ * taken, one's own choices, the camera and what is selected, which marks are shown, numbers, and the state graph. The size
+ * of the scene is there for `scc view --camera`.
  */
 const Links = (() => {
   /** @type {Player} */
@@ -14,6 +14,13 @@ const Links = (() => {
   let written = "";
   /** Whether an answer has to come before what the address says can be shown. */
   let following = false;
+  /** An address is at most so long, a formula in it so: what has no room in it is left out. */
+  const longest = 16000, formula = 4000;
+  /**
+   * What an address that is read says wrongly.
+   * @type {string[]}
+   */
+  let wrong = [];
 
   /** @param {Player} of @param {Scene | null} shown */
   function start(of, shown) {
@@ -21,7 +28,7 @@ const Links = (() => {
     scene = shown;
     read();
     player.on("move", later);
-    for (const event of ["plots", "compare"]) document.addEventListener(event, later);
+    for (const event of ["plots", "compare", "graph", "view"]) document.addEventListener(event, later);
     Details.onSelect(later);
     for (const event of ["pointerup", "wheel", "keyup"]) {
       Dom.get("scene-panel").addEventListener(event, later, { passive: true });
@@ -74,10 +81,24 @@ const Links = (() => {
     }
     const other = Compare.other();
     if (other && !other.run.way) parts.push(`with=${other.run.index}`);
-    for (const text of Plots.own()) parts.push(`plot=${encodeURIComponent(text)}`);
     if (scene) {
       parts.push(`camera=${encodeURIComponent(JSON.stringify(scene.camera()))}`);
       parts.push(`size=${scene.box.clientWidth}x${scene.box.clientHeight}`);
+    }
+    const { numbers, against } = Plots.save(), switched = Tools.switched(), graph = Graph.save(), sought = Graph.sought();
+    const more = [
+      ...(switched.length > 0 ? [`switched=${switched.join(".")}`] : []),
+      ...(numbers ? [`numbers=${numbers.join(".")}`] : []),
+      ...(against ? ["against=1"] : []),
+      ...(graph !== "" ? [`graph=${graph}`] : []),
+      ...(sought !== "" ? [`find=${encodeURIComponent(sought)}`] : []),
+      ...Plots.own().map((text) => `plot=${encodeURIComponent(text)}`),
+    ];
+    let size = parts.join("&").length;
+    for (const part of more) {
+      if (size + part.length + 1 > longest) continue;
+      parts.push(part);
+      size += part.length + 1;
     }
     return parts.join("&");
   }
@@ -96,6 +117,7 @@ const Links = (() => {
     const hash = window.location.hash.slice(1);
     if (hash === "" || !hash.includes("=")) return;
     written = hash;
+    wrong = [];
     /** @type {Map<string, string>} */
     const said = new Map();
     /** @type {string[]} */
@@ -110,7 +132,9 @@ const Links = (() => {
       }
     }
     place(said);
-    Plots.add(plots);
+    if (plots.some((text) => text.length > formula)) notice("a formula in it is too long");
+    Plots.add(plots.filter((text) => text.length <= formula));
+    panels(said);
     const beside = said.get("with");
     if (beside !== undefined) {
       const run = /^[0-9]{1,9}$/.test(beside) ? player.base(Number(beside)) : undefined;
@@ -130,6 +154,25 @@ const Links = (() => {
         notice("the camera in the address is not one of this page");
       }
     }
+  }
+
+  /**
+   * What is shown in the scene and in the panels; an address without it leaves them as they are.
+   * @param {Map<string, string>} said
+   */
+  function panels(said) {
+    const switched = said.get("switched"), numbers = said.get("numbers"), against = said.get("against");
+    const graph = said.get("graph"), sought = said.get("find");
+    if (switched !== undefined && !Tools.load(switched.split("."))) notice("what is shown in the scene is not all known here");
+    if (numbers !== undefined || against !== undefined) {
+      const all = (numbers || "").split(".").filter(Boolean).map((text) => (/^[0-9]{1,6}$/.test(text) ? Number(text) : -1));
+      const there = [...new Set(all)].filter((plot) => plot >= 0 && plot < player.data.plots.length);
+      if (there.length < all.length || (against !== undefined && against !== "1")) notice("the plots are not all known here");
+      Plots.load(numbers === undefined ? null : there, against === "1");
+    }
+    if (graph === undefined && sought === undefined) return;
+    const short = (sought || "").length <= formula;
+    if (!Graph.load(graph || "", short ? sought || "" : "") || !short) notice("what is said of the state graph is not all known");
   }
 
   /** @param {Map<string, string>} said */
@@ -194,9 +237,10 @@ const Links = (() => {
   function notice(text) {
     const box = Dom.get("notice");
     box.hidden = false;
+    if (!wrong.includes(text)) wrong.push(text);
     Dom.fill(
       box,
-      `The address was not followed in all: ${text}.`,
+      `The address was not followed in all: ${wrong.join("; ")}.`,
       " ",
       Dom.button(
         "Close",

@@ -37,7 +37,7 @@ const Main = (() => {
         player.go(legs, time === undefined ? undefined : Rational.of(time)),
       seek: (/** @type {string} */ time) => player.seek(Rational.of(time)),
       choose: (/** @type {number} */ choice) => player.choose(choice),
-      busy: () => Live.busy(),
+      busy: () => Live.busy() || Values.busy(),
       plots: () => Plots.told(),
       // Where a page from disk has exact values: a text, null where there is none; or what is wrong with the formula.
       evaluate: (/** @type {string} */ text) => Formulas.evaluate(text),
@@ -86,12 +86,13 @@ const Main = (() => {
    * @param {Player} player @param {Scene} scene
    */
   function marks(player, scene) {
-    const { lit, words, ends, before } = scene.marked, name = (/** @type {number} */ leaf) => player.course.leaves[leaf].name;
+    const { lit, words, ends, before, gone } = scene.marked, name = (/** @type {number} */ leaf) => player.course.leaves[leaf].name;
     return {
       lit: lit.map(name),
       words: words.map(({ leaf, text }) => `${name(leaf)}: ${text}`),
       ends: ends.map(({ leaf, site, made }) => `${name(leaf)} ${site.join(" ")} ${made ? "made" : "split"}`),
       before: before.map(({ course, body, place }) => [name(place.leaf), ...course.position(body, place).map(Rational.text)]),
+      gone: gone.map(({ course, body, place }) => [name(place.leaf), ...course.position(body, place).map(Rational.text)]),
     };
   }
 

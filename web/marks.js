@@ -9,6 +9,10 @@ class Marks {
     this.trails = new Trails(scene.data, scene.bodies, scene.gl);
     this.overlay = new Overlay(box);
     this.entries = this.#legend();
+    /** @type {Corner} */
+    this.corner = "left";
+    /** Whether bodies have been brought into view: the legend then goes where they are not. */
+    this.fresh = false;
   }
 
   /** There are other bodies. */
@@ -25,6 +29,11 @@ class Marks {
     this.floor.place(orbit, floorAt, bodies.colors, options.grid);
     this.floor.shadow.value = orbit.height > 0 ? bodies.colors.shadow : 0;
     this.trails.update(course, legs, time, orbit, options.trails);
+  }
+
+  /** Where the legend is: in which corner, and from where to where. */
+  get legend() {
+    return { legend: this.corner, box: this.overlay.room(this.entries, this.corner, this.#tools().height).box };
   }
 
   /** What colours and patterns mean. */
@@ -61,8 +70,10 @@ class Marks {
     if (composed ? composed.bar : options.grid)
       overlay.scale(long, floor.decimal(1n), tools.right > width - long - 30 ? tools.height : 0);
     if (composed?.clock && this.scene.now) overlay.clock(`t = ${Marks.time(this.scene.now.time)}`);
-    if ((composed ? composed.legend : options.legend) && this.entries.length > 1)
-      overlay.legend(this.entries.map((e) => (e.leaf === undefined ? e : { ...e, color: bodies.tints[e.leaf] })));
+    if ((composed ? composed.legend : options.legend) && this.entries.length > 1) {
+      if (this.fresh && !composed && !orbit.flight) this.#settle(project, tools.height);
+      overlay.legend(this.entries.map((e) => (e.leaf === undefined ? e : { ...e, color: bodies.tints[e.leaf] })), this.corner, tools.height);
+    }
     const at = (/** @type {Shown} */ s) => project(Pick.toWorld(s.matrix, bodies.centres[s.leaf]));
     const chosen = bodies.chosen ? bodies.byLeaf.get(bodies.chosen.leaf) : undefined;
     const { lit, words: changed } = this.scene.marked, called = new Set([...lit, ...changed.map((c) => c.leaf)]);
@@ -87,7 +98,7 @@ class Marks {
     }
     for (const { text, at: place, color } of this.scene.ghosts.words) {
       const p = project(place);
-      if (p.seen) overlay.word(text, p.x, p.y, { ...style, size: 11, color: Colors.css(color) });
+      if (p.seen) [0, 14, -14, 28].some((by) => overlay.word(text, p.x, p.y + by, { ...style, size: 11, color: Colors.css(color) }));
     }
     if (options.grid) {
       const { x, y, z } = bodies.colors;
@@ -109,6 +120,28 @@ class Marks {
   static time(time) {
     const exact = Rational.text(time).replace(/\/1$/, "");
     return exact.length <= 12 ? exact : Rational.toNumber(time).toPrecision(6);
+  }
+
+  /**
+   * Puts the legend into the corner in which it covers the fewest bodies, besides walls; of several, the first.
+   * @param {ReturnType<Scene["projector"]>} project @param {number} margin
+   */
+  #settle(project, margin) {
+    const { bodies, walls, orbit } = this.scene, [x, y, z] = orbit.camera.world, seen = [];
+    for (const shown of bodies.shown) {
+      if (walls.has(shown.leaf)) continue;
+      const at = Pick.toWorld(shown.matrix, bodies.centres[shown.leaf]), r = bodies.sizes[shown.leaf];
+      const p = project(at), q = project([at[0] + r * x, at[1] + r * y, at[2] + r * z]);
+      if (p.seen) seen.push({ x: p.x, y: p.y, r: Math.hypot(q.x - p.x, q.y - p.y) });
+    }
+    let least = Infinity;
+    for (const corner of Overlay.corners) {
+      const { box: [left, top, right, bottom], rows } = this.overlay.room(this.entries, corner, margin);
+      const covered = seen.filter((s) => Math.hypot(s.x - Math.max(left, Math.min(right, s.x)), s.y - Math.max(top, Math.min(bottom, s.y))) < s.r).length;
+      const score = covered + this.entries.length - rows;
+      if (score < least) [this.corner, least] = [corner, score];
+    }
+    this.fresh = false;
   }
 
   /**

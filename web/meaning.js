@@ -8,8 +8,8 @@
  * @typedef {{ data: PageData, leaves: DataLeaf[], state: number, time: Rational | null, bodies: Moving[],
  *   seats: Map<number, Seat> }} View  A state, some time after it was reached; without a time where several runs lead to it.
  * @typedef {Rational | boolean | Nothing} Value
- * @typedef {{ type: "number" | "truth", run: (view: View) => Value, needs?: Set<number> | null }} Compiled
- *   A formula as a function; at last, the leaves that it depends on, or null: on all.
+ * @typedef {{ type: "number" | "truth" | "vector", run: (view: View) => Value, parts?: Compiled[], needs?: Set<number> | null }}
+ *   Compiled  A formula as a function, a vector by its three parts; at last, the leaves that it depends on, or null: on all.
  * @typedef {Map<string, { leaf?: number, value?: Rational }>} Bound  Variables of quantifiers.
  */
 class Nothing {
@@ -135,16 +135,111 @@ const Meaning = (() => {
     sign: ([a]) => whole(Rational.sign(a)),
   };
 
-  /** @param {View} view @param {(process: DataProcess, mass: Rational, velocity: Vector) => Rational | Nothing} f of what is not fixed */
-  function sum(view, f) {
-    let all = Rational.zero;
-    for (const { process } of view.bodies) {
-      if (process.mass === null) continue;
-      const part = f(process, Rational.of(process.mass), exact(process.velocity));
-      if (part instanceof Nothing) return part;
-      all = Rational.add(all, part);
+  /** @param {Rational} a */
+  const floor = (a) => {
+    const n = a.n / a.d;
+    return /** @type {Rational} */ (Rational.make(a.n % a.d !== 0n && a.n < 0n ? n - 1n : n, 1n));
+  };
+
+  /**
+   * What is of constants alone, since it would jump while a body moves.
+   * @type {{ [name: string]: (args: Rational[]) => Rational }}
+   */
+  const ofConstants = {
+    floor: ([a]) => floor(a),
+    ceil: ([a]) => Rational.neg(floor(Rational.neg(a))),
+    mod: ([a, b]) => Rational.sub(a, Rational.mul(b, floor(Rational.div(a, b)))),
+    // Of two multiples that are equally near, the one farther from zero.
+    round: ([a, b]) => {
+      const part = Rational.div(a, b), near = floor(Rational.add(ofNumbers.abs([part]), /** @type {Rational} */ (Rational.make(1n, 2n))));
+      return Rational.mul(b, Rational.sign(part) < 0 ? Rational.neg(near) : near);
+    },
+  };
+
+  /** @param {View} view @param {(body: Moving, mass: Rational) => Rational} f of what is not fixed */
+  const sum = (view, f) => view.bodies.reduce((all, body) =>
+    (body.process.mass === null ? all : Rational.add(all, f(body, Rational.of(body.process.mass)))), Rational.zero);
+
+  const dot = (/** @type {Vector} */ a, /** @type {Vector} */ b) => a.reduce((sum, x, i) => Rational.add(sum, Rational.mul(x, b[i])), Rational.zero);
+  const half = /** @type {Rational} */ (Rational.make(1n, 2n));
+
+  /** @typedef {Vector[]} Matrix  Three rows. */
+  const apply = (/** @type {Matrix} */ m, /** @type {Vector} */ v) => m.map((row) => dot(row, v));
+  const transposed = (/** @type {Matrix} */ m) => [0, 1, 2].map((i) => m.map((row) => row[i]));
+  const times = (/** @type {Matrix} */ a, /** @type {Matrix} */ b) => {
+    const columns = transposed(b);
+    return a.map((row) => columns.map((column) => dot(row, column)));
+  };
+
+  /**
+   * The inertia of a process that turns, about its centre of mass, as it is turned: that of its leaves, each about its
+   * centroid, and by the parallel axis theorem.
+   * @param {View} view @param {Moving} body @param {Vector} centre @returns {Matrix}
+   */
+  function inertia(view, body, centre) {
+    let sum = [0, 1, 2].map(() => [Rational.zero, Rational.zero, Rational.zero]);
+    for (const place of body.process.leaves) {
+      const { leaves } = view, of = leaves[place.leaf], seat = { process: body.process, place, body };
+      const turn = Motion.orientation(Course.motion(body, place), body.age);
+      const rows = [0, 1, 2].map((i) => [0, 1, 2].map((k) => Rational.make(turn.n[3 * i + k], turn.d)));
+      const own = times(times(rows, /** @type {string[][]} */ (of.inertia).map(exact)), transposed(rows));
+      const mass = Rational.of(of.mass || "0/1"), r = minus(centroid(view, place.leaf, seat), centre), far = square(r);
+      sum = sum.map((row, i) => row.map((x, k) => Rational.add(Rational.add(x, own[i][k]),
+        Rational.mul(mass, Rational.sub(i === k ? far : Rational.zero, Rational.mul(r[i], r[k]))))));
     }
-    return all;
+    return sum;
+  }
+
+  /**
+   * The solution of m v = b for a matrix with an inverse, by Cramer's rule.
+   * @param {Matrix} m @param {Vector} b
+   */
+  function solved(m, b) {
+    const columns = transposed(m), whole = dot(columns[0], cross(columns[1], columns[2]));
+    return [0, 1, 2].map((i) => {
+      const [p, q, r] = columns.map((column, k) => (k === i ? b : column));
+      return Rational.div(dot(p, cross(q, r)), whole);
+    });
+  }
+
+  /**
+   * What a process that turns has of its turning: spin, inertia, and of a free body the angular momentum, which is kept.
+   * @param {View} view @param {Moving} body
+   */
+  function turning(view, body) {
+    const turn = /** @type {NonNullable<DataProcess["turn"]>} */ (body.process.turn), w = exact(turn.spin);
+    const centre = plus(exact(turn.centre), scaled(body.age, exact(body.process.velocity)));
+    return { w, inertia: inertia(view, body, centre), kept: turn.kept ? exact(turn.kept) : null };
+  }
+
+  /**
+   * The energy of a process. That of a free body is that of what it keeps, unless its spin is along it.
+   * @param {View} view @param {Moving} body @param {Rational} mass
+   */
+  function energy(view, body, mass) {
+    const straight = Rational.mul(mass, square(exact(body.process.velocity)));
+    if (!body.process.turn) return Rational.mul(half, straight);
+    const { w, inertia, kept } = turning(view, body);
+    const ball = inertia.every((row, i) => row.every((x, k) => Rational.cmp(x, i === k ? inertia[0][0] : Rational.zero) === 0));
+    const along = kept !== null && cross(w, kept).every((x) => Rational.sign(x) === 0);
+    const round = kept === null || ball || along ? dot(w, apply(inertia, w)) : dot(kept, solved(inertia, kept));
+    return Rational.mul(half, Rational.add(straight, round));
+  }
+
+  /**
+   * The angular momentum of a process about the origin.
+   * @param {View} view @param {Moving} body @param {Rational} mass
+   */
+  function angular(view, body, mass) {
+    const { process } = body, v = exact(process.velocity);
+    if (process.turn) {
+      const { w, inertia, kept } = turning(view, body), centre = plus(exact(process.turn.centre), scaled(body.age, v));
+      return plus(scaled(mass, cross(centre, v)), kept || apply(inertia, w));
+    }
+    return process.leaves.reduce((sum, place) => {
+      const own = Rational.of(view.leaves[place.leaf].mass || "0/1");
+      return plus(sum, scaled(own, cross(centroid(view, place.leaf, { process, place, body }), v)));
+    }, [Rational.zero, Rational.zero, Rational.zero]);
   }
 
   const served = "can be asked for where a page is served (scc serve)";
@@ -153,8 +248,7 @@ const Meaning = (() => {
   const alone = {
     processes: { type: "number", run: ({ bodies }) => whole(bodies.length) },
     time: { type: "number", run: ({ time }) => time || new Nothing("several times belong to the state") },
-    energy: { type: "number", run: (view) => sum(view, (process, mass, v) => process.turn
-      ? new Nothing(`the energy of what spins ${served}`) : Rational.mul(Rational.mul(Rational.make(1n, 2n), mass), square(v))) },
+    energy: { type: "number", run: (view) => sum(view, (body, mass) => energy(view, body, mass)) },
     quiescent: { type: "truth", run: ({ data, state }) => {
       const { next, rests } = data.states[state];
       return next === null ? new Nothing("it is not known what can happen there") : rests;
@@ -173,6 +267,8 @@ const Meaning = (() => {
       ...data.processes.flatMap(({ bonds }) => bonds.map(({ name }) => name)),
     ]);
     const written = (/** @type {string} */ word) => data.text.split(/[^A-Za-z0-9_']+/).includes(word);
+    // Templates and families of which there are no bodies.
+    const declared = (/** @type {string} */ name) => [...data.text.matchAll(/\b(?:shape|compound|process|fixed)\s+([A-Za-z][A-Za-z0-9_']*)/g)].some(([, word]) => word === name.replace(/[[(].*$/, ""));
     let size = 0, wide = false;
     /** @type {Set<number>} */
     const needs = new Set();
@@ -223,7 +319,7 @@ const Meaning = (() => {
 
     /** @param {Term} term @param {Bound} bound @returns {boolean} whether it depends on no state */
     function settled(term, bound) {
-      if (term.kind === "call") return has(ofNumbers, term.name || "") && (term.args || []).every((a) => settled(a, bound));
+      if (term.kind === "call") return (has(ofNumbers, term.name || "") || has(ofConstants, term.name || "") || has(ofVectors, term.name || "")) && (term.args || []).every((a) => settled(a, bound));
       if (term.kind === "path") return bound.has(label(term, bound)) || has(values, label(term, bound));
       return term.kind !== "each" && (term.args || []).every((a) => settled(a, bound));
     }
@@ -239,6 +335,25 @@ const Meaning = (() => {
       return made.type === type ? made : wrong(why, term);
     }
 
+    /** @param {Compiled[]} parts @returns {Compiled} */
+    const vector = (parts) => ({ type: "vector", parts, run: () => new Nothing("a vector is no number") });
+
+    /** @param {Term} term @param {Bound} bound @returns {Compiled[]} its parts */
+    const parts = (term, bound) => {
+      const made = term_(term, bound);
+      return made.parts || wrong("a vector is expected here", term);
+    };
+
+    /** @type {{ [name: string]: (a: Compiled[], b: Compiled[]) => Compiled }} */
+    const ofVectors = {
+      dot: (a, b) => lift([...a, ...b], (all) => dot(all.slice(0, 3), all.slice(3))),
+      // Each part from those that it needs, as some of the others may have no value.
+      cross: (a, b) => vector([0, 1, 2].map((i) => {
+        const [j, k] = [(i + 1) % 3, (i + 2) % 3];
+        return lift([a[j], b[k], a[k], b[j]], ([p, q, r, s]) => Rational.sub(Rational.mul(p, q), Rational.mul(r, s)));
+      })),
+    };
+
     /** @param {Term} term @param {Bound} bound @returns {Compiled} */
     function term_(term, bound) {
       if (++size > 20000) wrong("the formula is too long", term);
@@ -246,7 +361,13 @@ const Meaning = (() => {
       switch (term.kind) {
         case "number": return { type: "number", run: () => /** @type {Rational} */ (term.value) };
         case "true": case "false": return { type: "truth", run: () => term.kind === "true" };
-        case "neg": return lift([number(args[0], bound)], ([a]) => Rational.neg(a));
+        case "neg": {
+          const inner = term_(args[0], bound), minus = (/** @type {Compiled} */ one) => lift([one], ([a]) => Rational.neg(a));
+          if (inner.parts) return vector(inner.parts.map(minus));
+          return inner.type === "number" ? minus(inner) : wrong("a number is expected here", args[0]);
+        }
+        case "vector": return vector(args.map((arg) => number(arg, bound)));
+        case "component": return parts(args[0], bound)[axes.indexOf(term.name || "x")];
         case "not": {
           const inner = truth(args[0], bound);
           return { type: "truth", run: (view) => {
@@ -305,14 +426,39 @@ const Meaning = (() => {
 
     /** @param {Term} term @param {Term[]} args @param {Bound} bound */
     function arithmetic(term, args, bound) {
-      const parts = args.map((arg) => number(arg, bound));
-      switch (term.op) {
-        case "+": return lift(parts, ([a, b]) => Rational.add(a, b));
-        case "-": return lift(parts, ([a, b]) => Rational.sub(a, b));
-        case "*": return lift(parts, ([a, b]) => Rational.mul(a, b));
-        case "/": return lift(parts, ([a, b]) => (Rational.sign(b) === 0 ? new Nothing("division by zero") : Rational.div(a, b)));
-        default: return wrong("`mod` of what changes cannot stand in a formula", term);
+      const op = term.op || "+";
+      if (op === "mod") return constants("mod", term, args, bound);
+      const [a, b] = args.map((arg) => term_(arg, bound));
+      if (a.type === "truth") wrong("a number is expected here", args[0]);
+      if (b.type === "truth") wrong("a number is expected here", args[1]);
+      const one = (/** @type {Compiled} */ p, /** @type {Compiled} */ q) => operated(op, p, q);
+      const { parts: v } = a, { parts: w } = b;
+      if (!v && !w) return one(a, b);
+      if (v && w && (op === "+" || op === "-")) return vector(v.map((x, i) => one(x, w[i])));
+      if (!v && w && op === "*") return vector(w.map((x) => one(a, x)));
+      if (v && !w && (op === "*" || op === "/")) return vector(v.map((x) => one(x, b)));
+      return wrong("vectors are added and subtracted, and multiplied and divided by numbers; their products are dot(v, w) and cross(v, w)", term);
+    }
+
+    /** @param {string} op @param {Compiled} p @param {Compiled} q */
+    function operated(op, p, q) {
+      switch (op) {
+        case "+": return lift([p, q], ([a, b]) => Rational.add(a, b));
+        case "-": return lift([p, q], ([a, b]) => Rational.sub(a, b));
+        case "*": return lift([p, q], ([a, b]) => Rational.mul(a, b));
+        default: return lift([p, q], ([a, b]) => (Rational.sign(b) === 0 ? new Nothing("division by zero") : Rational.div(a, b)));
       }
+    }
+
+    /** @param {string} name @param {Term} term @param {Term[]} args @param {Bound} bound @returns {Compiled} */
+    function constants(name, term, args, bound) {
+      if (args.length !== (name === "mod" || name === "round" ? 2 : 1)) wrong(`“${name}” takes ${name === "mod" || name === "round" ? "two numbers" : "one number"}`, term);
+      for (const arg of args) number(arg, bound);
+      if (!args.every((arg) => settled(arg, bound))) wrong(`“${name}” of what changes cannot stand in a formula`, term);
+      const all = args.map((arg) => constant(arg, bound));
+      if (all[1] && Rational.sign(all[1]) === 0) wrong("division by zero", term);
+      const value = ofConstants[name](all);
+      return { type: "number", run: () => value };
     }
 
     /** @type {{ [op: string]: (order: number) => boolean }} */
@@ -323,7 +469,7 @@ const Meaning = (() => {
     /** @param {Term} term @param {Term[]} args @param {Bound} bound @returns {Compiled} */
     function comparison(term, args, bound) {
       const op = term.op || "=", at = args.findIndex((arg) => arg.kind === "call" && arg.name === "behaviour");
-      if (at < 0) return lift(args.map((arg) => number(arg, bound)), ([a, b]) => orders[op](Rational.cmp(a, b)), "truth");
+      if (at < 0) return compared(op, args, bound);
       if (op !== "=" && op !== "!=") wrong("a behaviour is compared by = and !=", term);
       const [subject] = args[at].args || [], other = args[1 - at];
       if (!subject || (args[at].args || []).length !== 1) wrong("`behaviour` takes one body", args[at]);
@@ -333,15 +479,30 @@ const Meaning = (() => {
       return { type: "truth", run: (view) => is(view) === (op === "=") };
     }
 
+    /** @param {string} op @param {Term[]} args @param {Bound} bound @returns {Compiled} */
+    function compared(op, args, bound) {
+      const [a, b] = args.map((arg) => term_(arg, bound));
+      const both = (/** @type {Compiled} */ p, /** @type {Compiled} */ q, /** @type {string} */ how) =>
+        lift([p, q], ([x, y]) => orders[how](Rational.cmp(x, y)), "truth");
+      if (a.parts && b.parts) {
+        if (op !== "=" && op !== "!=") wrong("vectors are compared by = and !=", args[0]);
+        const same = joined(a.parts.map((x, i) => both(x, /** @type {Compiled[]} */ (b.parts)[i], "=")), false);
+        return op === "=" ? same : negated(same);
+      }
+      const odd = a.type === "number" ? (b.type === "number" ? null : args[1]) : args[0];
+      return odd ? wrong("a number is expected here", odd) : both(a, b, op);
+    }
+
     /** @param {Term[]} args @param {Bound} bound @returns {Compiled} */
     function choice([c, a, b], bound) {
       const condition = truth(c, bound), yes = term_(a, bound), no = term_(b, bound);
-      if (yes.type !== no.type) wrong("both parts are numbers, or both hold or not", b);
+      if (yes.type !== no.type) wrong("both parts are numbers, or both are vectors, or both hold or not", b);
       if (yes.type === "truth") return joined([joined([condition, yes], false), joined([negated(condition), no], false)], true);
-      return { type: "number", run: (view) => {
+      const either = (/** @type {Compiled} */ p, /** @type {Compiled} */ q) => /** @type {Compiled} */ ({ type: "number", run: (view) => {
         const value = condition.run(view);
-        return value instanceof Nothing ? value : value ? yes.run(view) : no.run(view);
-      } };
+        return value instanceof Nothing ? value : value ? p.run(view) : q.run(view);
+      } });
+      return yes.parts ? vector(yes.parts.map((p, i) => either(p, /** @type {Compiled[]} */ (no.parts)[i]))) : either(yes, no);
     }
 
     /** @param {Term} term @param {Bound} bound @returns {Compiled} */
@@ -365,11 +526,13 @@ const Meaning = (() => {
     function members(term, bound) {
       const [low, high] = term.over || [];
       if (!high) {
-        if (low.kind !== "path") return wrong("a template or a family of bodies is expected here", low);
-        const name = label(low, bound);
-        const found = [...leaves.keys()].filter((i) => leaves[i].template === name);
-        const family = [...leaves.keys()].filter((i) => leaves[i].name === name || leaves[i].name.startsWith(`${name}[`) && !leaves[i].name.includes("."));
-        if (found.length + family.length === 0) wrong(`there are no bodies “${Dom.clip(name, 60)}”`, low);
+        if (low.kind !== "path" && low.kind !== "call") return wrong("a template or a family of bodies is expected here", low);
+        const name = low.kind === "path" ? label(low, bound)
+          : `${low.name}(${(low.args || []).map((arg) => Exactly.text(constant(arg, bound))).join(",")})`;
+        // Of a template with parameters, its name alone is all of its instances.
+        const found = [...leaves.keys()].filter((i) => leaves[i].template === name || leaves[i].template.startsWith(`${name}(`));
+        const family = [...leaves.keys()].filter((i) => leaves[i].name === name || leaves[i].name.startsWith(`${name}[`) || leaves[i].name.startsWith(`${name}.`));
+        if (found.length + family.length === 0 && !declared(name)) wrong(`there are no bodies “${Dom.clip(name, 60)}”`, low);
         return (found.length > 0 ? found : family).map((leaf) => ({ leaf }));
       }
       const [from, to] = [low, high].map((end) => constant(end, bound));
@@ -401,6 +564,11 @@ const Meaning = (() => {
       if (has(ofNumbers, name)) {
         if (args.length === 0 || (name !== "min" && name !== "max" && args.length > 1)) wrong(`“${name}” takes ${name === "abs" || name === "sign" ? "one number" : "numbers"}`, term);
         return lift(args.map((arg) => number(arg, bound)), ofNumbers[name]);
+      }
+      if (has(ofConstants, name)) return constants(name, term, args, bound);
+      if (has(ofVectors, name)) {
+        takes(2, "two vectors");
+        return ofVectors[name](parts(args[0], bound), parts(args[1], bound));
       }
       if (name === "bonds") return bonds(term, args, bound);
       if (name === "offers") {
@@ -441,14 +609,16 @@ const Meaning = (() => {
         wide = wide || name === "processes" || name === "energy";
         return alone[name];
       }
-      const axis = /^momentum\.([xyz])$/.exec(name);
-      wide = wide || axis !== null;
-      if (axis) return { type: "number", run: (view) => sum(view, (_, mass, v) => Rational.mul(mass, v[axes.indexOf(axis[1])])) };
+      const [, quantity, axis] = /^(momentum|angular)\.([xyz])$/.exec(name) || [], k = axes.indexOf(axis);
+      wide = wide || k >= 0;
+      if (quantity === "momentum") return { type: "number", run: (view) => sum(view, ({ process }, mass) => Rational.mul(mass, Rational.of(process.velocity[k]))) };
+      if (quantity === "angular") return { type: "number", run: (view) => sum(view, (body, mass) => angular(view, body, mass)[k]) };
       if (named.has(name)) return wrong("say what of a body is meant, as in x(p)", term);
       return wrong(`the page does not know “${Dom.clip(name, 60)}”; the names that a model defines ${served}`, term);
     }
 
-    const made = term_(Reader.read(text), new Map());
+    const term = Reader.read(text), made = term_(term, new Map());
+    if (made.type === "vector") wrong("a number is expected here, or what holds or not", term);
     return { ...made, needs: wide ? null : needs };
   }
 

@@ -2,6 +2,15 @@
 
 /** Words and small drawings over the picture: names, numbers of the floor, which way the axes go, a scale, a legend. */
 class Overlay {
+  /** How high a row of the legend is. */
+  static row = 17;
+  /**
+   * Where the legend can be.
+   * @typedef {"left" | "right" | "low left" | "low right"} Corner
+   * @type {Corner[]}
+   */
+  static corners = ["left", "right", "low left", "low right"];
+
   /** @param {HTMLElement} box */
   constructor(box) {
     this.canvas = document.createElement("canvas");
@@ -134,15 +143,28 @@ class Overlay {
   }
 
   /**
+   * Where a legend is in a corner: left, above, right, below; and how many of its rows have room there.
+   * @param {{ text: string }[]} entries @param {Corner} corner @param {number} margin how much is covered from below
+   */
+  room(entries, corner, margin) {
+    // Beside the arrows of the axes, and above the scale.
+    const above = corner === "right" ? 92 : 0, below = (corner === "left" ? 90 : corner === "right" ? 50 : 24) + margin;
+    const rows = Math.max(0, Math.min(entries.length, Math.floor((this.height - above - below) / Overlay.row)));
+    const wide = this.long(entries), x = corner === "right" || corner === "low right" ? this.width - wide : 0;
+    const y = corner === "left" || corner === "right" ? above : this.height - margin - (corner === "low right" ? 44 : 20) - rows * Overlay.row;
+    return { box: [x, y, x + wide, y + 10 + rows * Overlay.row], rows };
+  }
+
+  /**
    * What colours and patterns mean.
    * @param {{ text: string, color: number[], shape: "body" | "name" | "co" }[]} entries
+   * @param {Corner} corner @param {number} margin how much of the picture is covered from below
    */
-  legend(entries) {
-    const pen = this.pen, step = 17;
-    const most = Math.max(0, Math.min(entries.length, Math.floor((this.height - 90) / step)));
+  legend(entries, corner, margin) {
+    const pen = this.pen, { box: [left, top], rows: most } = this.room(entries, corner, margin);
     entries.slice(0, most).forEach(({ text, color, shape }, i) => {
       const more = i + 1 === most && entries.length > most;
-      const x = 14, y = 18 + i * step;
+      const x = left + 14, y = top + 18 + i * Overlay.row;
       if (!more) this.#swatch(x, y, color, shape);
       this.word(more ? `${entries.length - i} more` : text, x + 12, y,
         { align: "left", color: this.colors.text, force: true });

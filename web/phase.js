@@ -50,7 +50,9 @@ const Phase = (() => {
     /** @type {[number, number][][]} */
     const strokes = [[]];
     const seen = [...Array(legs + 1).keys()].filter((k) => instants[k + 1] >= from && instants[k] <= to);
-    const every = Math.max(1, Math.ceil(seen.length / 2000));
+    // What is about all of many bodies takes longer.
+    const slow = course.leaves.length > 200 && plots.some((plot) => plot >= player.data.plots.length && Formulas.wide(plot - player.data.plots.length));
+    const every = Math.max(1, Math.ceil(seen.length / (slow ? 100 : 2000)));
     for (let i = 0; i < seen.length; i += every) {
       const k = seen[i], start = player.instant(k), span = Rational.sub(player.until(k), start);
       const parts = every > 1 || Rational.sign(span) === 0 ? 1 : Math.max(1, Math.min(64, Math.ceil(600 / seen.length)));

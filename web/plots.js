@@ -45,11 +45,15 @@ const Plots = (() => {
       if (event.key === "Escape") choose.open = false;
     });
     const toggle = Dom.button("x–y", () => {
-      against = !against;
+      oppose(!against);
+      rows.lastElementChild?.scrollIntoView({ block: "nearest" });
+      document.dispatchEvent(new CustomEvent("plots"));
+    }, { title: "The first two numbers, one against the other", test: "plots-phase", "aria-pressed": "false" });
+    oppose = (on) => {
+      against = on;
       toggle.setAttribute("aria-pressed", String(against));
       draw();
-      rows.lastElementChild?.scrollIntoView({ block: "nearest" });
-    }, { title: "The first two numbers, one against the other", test: "plots-phase", "aria-pressed": "false" });
+    };
     Dom.get("plots-head").after(
       Dom.make("div", { class: "plot-tools" }, [
         choose,
@@ -73,10 +77,12 @@ const Plots = (() => {
     const all = player.data.plots.map((_, plot) => plot);
     chosen = all.filter((plot) => Values.varies(player, plot)).slice(0, 2);
     if (chosen.length === 0) chosen = all.slice(0, 2);
+    first = chosen;
     player.on("run", draw);
     player.on("move", move);
     player.on("grow", draw);
     Timeline.onRange(draw);
+    Values.onProgress(draw);
     new ResizeObserver(draw).observe(rows);
     list();
     draw();
@@ -120,6 +126,33 @@ const Plots = (() => {
 
   /** Two numbers are shown against each other. */
   let against = false;
+  /**
+   * Shows two numbers against each other, or not.
+   * @type {(on: boolean) => void}
+   */
+  let oppose = () => {};
+  /**
+   * The numbers of the document that are shown at first.
+   * @type {number[]}
+   */
+  let first = [];
+
+  /** The numbers of the document that are shown, if these are others than at first; and whether two are against each other. */
+  function save() {
+    const shown = chosen.filter((plot) => plot < player.data.plots.length);
+    return { numbers: shown.join() === first.join() ? null : shown, against };
+  }
+
+  /**
+   * Shows numbers of the document, beside one's own, and two against each other.
+   * @param {number[] | null} numbers @param {boolean} on
+   */
+  function load(numbers, on) {
+    const own = chosen.filter((plot) => plot >= player.data.plots.length);
+    keep((numbers || first).concat(own));
+    list();
+    oppose(on);
+  }
 
   /** The first two numbers that are shown, one against the other, with the present instant. */
   function pair() {
@@ -339,15 +372,22 @@ const Plots = (() => {
   /** @param {boolean} truth @param {number} value */
   const said = (truth, value) => (truth ? (value === 1 ? "true" : "false") : Exactly.decimal(value));
 
+  /** When the values of one's own were last told. */
+  let last = 0;
+
   function move() {
     if (Dom.get("plots-panel").hidden) return;
     const width = wide();
     const at = Timeline.x(player.clock, width).toFixed(2);
     const inside = player.clock >= Timeline.range.from && player.clock <= Timeline.range.to;
     if (phase) phase();
+    // What is about all of very many bodies takes a good part of a frame: while the run is played, it is told now and then.
+    const many = player.playing && player.course.leaves.length > 200, now = performance.now(), rest = many && now - last < 250;
+    if (!rest) last = now;
     for (const { plot, value, cursor, dot, y } of drawn) {
       cursor.setAttribute("transform", `translate(${at} 0)`);
       cursor.setAttribute("visibility", inside ? "visible" : "hidden");
+      if (rest && plot >= player.data.plots.length) continue;
       const now = Values.exact(player, player.legs, plot, player.time);
       dot.setAttribute("visibility", inside && typeof now !== "string" ? "visible" : "hidden");
       if (typeof now === "string") {
@@ -416,5 +456,5 @@ const Plots = (() => {
     return new XMLSerializer().serializeToString(picture);
   }
 
-  return { start, draw, add, own, told };
+  return { start, draw, add, own, told, save, load };
 })();

@@ -28,7 +28,7 @@ const Reader = (() => {
 
   /** @param {string} text @returns {Token[]} */
   function tokens(text) {
-    const all = /\s+|([0-9]+(?:\.[0-9]+)?)(?!\.?[0-9])|([A-Za-z][A-Za-z0-9_']*)|(<=|>=|!=|=>|\.\.|[()[\],:.~<>=+\-*/?])/y;
+    const all = /\s+|((?:2\^-[0-9]+|[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?))(?!\.?[0-9])|([A-Za-z][A-Za-z0-9_']*)|(<=|>=|!=|=>|\.\.|[()[\],:.~<>=+\-*/?])/y;
     /** @type {Token[]} */
     const found = [];
     while (all.lastIndex < text.length) {
@@ -41,6 +41,23 @@ const Reader = (() => {
     }
     found.push({ text: "", kind: "end", at: [text.length, text.length] });
     return found;
+  }
+
+  /** Numbers of more digits than these, written out, are refused. */
+  const digits = 20000;
+
+  /**
+   * An exact number as it is written: digits with a decimal point and an exponent, or a power of two.
+   * @param {Token} token @returns {Rational}
+   */
+  function exact({ text, at }) {
+    const [, whole = "", part = "", power = "0"] = /^([0-9]+)(?:\.([0-9]+))?(?:[eE]([+-]?[0-9]+))?$/.exec(text) || [];
+    const half = text.startsWith("2^-") ? Number(text.slice(3)) : 0, exponent = Number(power) - part.length;
+    if (text.length > digits || !(Math.abs(exponent) <= digits) || half > digits)
+      throw new Wrong(`a number has at most ${digits} digits when it is written out`, at);
+    if (half > 0 || whole === "") return Rational.make(1n, 2n ** BigInt(half));
+    const n = BigInt(whole + part);
+    return exponent >= 0 ? Rational.make(n * 10n ** BigInt(exponent), 1n) : Rational.make(n, 10n ** BigInt(-exponent));
   }
 
   /** @param {string} text @returns {Term} */
@@ -125,13 +142,21 @@ const Reader = (() => {
       const from = next, token = now();
       if (token.kind === "number") {
         take();
-        return made(from, { kind: "number", value: /** @type {Rational} */ (Exactly.read(token.text)) });
+        return made(from, { kind: "number", value: exact(token) });
       }
       if (is("(")) {
         take();
         const inner = formula();
+        if (!is(",")) {
+          expect(")");
+          return component(from, inner);
+        }
+        take();
+        const second = formula();
+        expect(",");
+        const third = formula();
         expect(")");
-        return inner;
+        return component(from, made(from, { kind: "vector", args: [inner, second, third] }));
       }
       if (is("true") || is("false")) return made(from, { kind: take().text });
       if (is("if")) {
@@ -158,8 +183,20 @@ const Reader = (() => {
       if (token.kind !== "name") wrong(token.kind === "end" ? "the formula ends here" : "a value is expected here");
       if (is("event")) wrong("events can be asked for where a page is served (scc serve)");
       if (temporal.has(token.text)) throw runs();
-      if (words.has(token.text)) wrong("a value is expected here");
+      if (words.has(token.text) && !(is("mod") && all[next + 1].text === "(")) wrong("a value is expected here");
       return name();
+    }
+
+    /**
+     * A component of what stands before it, if one is asked for.
+     * @param {number} from @param {Term} term @returns {Term}
+     */
+    function component(from, term) {
+      if (!is(".")) return term;
+      take();
+      const axis = take();
+      if (!/^[xyz]$/.test(axis.text)) throw new Wrong("a vector has the components x, y and z", axis.at);
+      return made(from, { kind: "component", name: axis.text, args: [term] });
     }
 
     /** @param {number} from @param {string} what @returns {Term} */
@@ -196,12 +233,11 @@ const Reader = (() => {
         if (is("[")) {
           take();
           indices = list("]");
-        } else if (is("(") && segments.length === 0) {
+        } else if (is("(") && segments.every((one) => one.indices.length === 0)) {
           take();
           const args = is(")") ? [] : list(")", true);
           if (args.length === 0) take();
-          const call = made(from, { kind: "call", name: token.text, args });
-          return call;
+          return component(from, made(from, { kind: "call", name: [...segments.map((one) => one.name), token.text].join("."), args }));
         }
         segments.push({ name: token.text, indices });
         if (!is(".")) break;

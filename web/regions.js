@@ -1,8 +1,9 @@
 "use strict";
 
 /**
- * For which values of the parameters checks hold: the plane of two of them, or the line of one, in which one points at a
- * start to see the run from there.
+ * For which values of the parameters checks hold, and how likely something is: the plane of two parameters, or the line of
+ * one, in which one points at a start, or writes it. What is so at a start follows from the constraints of the regions, and
+ * so is exact on their borders, too.
  */
 const Regions = (() => {
   const width = 248, left = 58, top = 8, bottom = 36;
@@ -13,11 +14,28 @@ const Regions = (() => {
   let player;
   /** @type {DataWhere} */
   let where;
+  /** Which of the checks is painted; after them come the numbers. */
   let check = 0;
+  /**
+   * The start that the user has chosen, by the axes.
+   * @type {Rational[] | null}
+   */
+  let chosen = null;
   /** @type {SVGElement[]} */
   let dots = [];
   /** @type {HTMLElement} */
   let told;
+  /** @type {HTMLElement} */
+  let verdicts;
+  /** @type {SVGElement} */
+  let cross;
+  /** @type {HTMLInputElement[]} */
+  let fields = [];
+  /**
+   * The constraints of the regions, piece by piece: normal . start, a relation, and a number.
+   * @type {{ normal: Rational[], relation: string, right: Rational }[][][]}
+   */
+  let pieces = [];
 
   /** @param {Player} of */
   function start(of) {
@@ -27,7 +45,13 @@ const Regions = (() => {
       return;
     }
     where = player.data.where;
-    player.on("run", mark);
+    pieces = where.regions.map((r) => r.pieces.map((piece) => piece.map(({ normal, relation, right }) =>
+      ({ normal: normal.map(Rational.of), relation, right: Rational.of(right) }))));
+    player.on("run", () => {
+      // What the run begins with is the chosen start, too.
+      if (present() >= 0) chosen = null;
+      mark();
+    });
     show();
   }
 
@@ -48,6 +72,7 @@ const Regions = (() => {
   function show() {
     const size = { w: left + width + 10, h: top + height() + bottom };
     const shapes = [...where.regions.flatMap(region), ...axes(), ...samples()];
+    cross = Dom.draw("g", { class: "cross", visibility: "hidden" }, ["halo", "line"].map((name) => Dom.draw("path", { class: name })));
     const picture = Dom.draw("svg", {
       viewBox: `0 0 ${size.w} ${size.h}`, class: "where", role: "application", tabindex: "0", test: "where",
       "aria-label": "Where the check holds. Arrows go from start to start.",
@@ -56,9 +81,57 @@ const Regions = (() => {
         for (const dot of dots) dot.classList.remove("near");
         tell();
       },
-    }, shapes);
+    }, [...shapes, cross]);
     told = Dom.make("p", { class: "quiet", role: "status", test: "where-told" });
-    Dom.fill(Dom.get("where"), chooser(), picture, legend(), told);
+    verdicts = Dom.make("div", { class: "where-verdicts", test: "where-verdicts" });
+    Dom.fill(Dom.get("where"), chooser(), picture, legend(), told, form(), verdicts);
+    mark();
+  }
+
+  /** A start can be written, too. */
+  function form() {
+    const wrong = Dom.make("p", { class: "plot-wrong", role: "alert", hidden: true, id: "where-wrong", test: "where-wrong" });
+    fields = where.axes.map((axis, i) => Dom.make("input", {
+      type: "text", "aria-label": `Start: ${Dom.clip(axis.name, 80)}`, "aria-describedby": "where-wrong", spellcheck: "false",
+      autocomplete: "off", maxlength: 1000, test: `where-start-${i}`,
+    }));
+    const box = Dom.make("form", { class: "where-start" }, [
+      ...where.axes.flatMap((axis, i) => [Dom.make("label", {}, [Dom.name(`${Dom.clip(axis.name, 24)} =`), fields[i]])]),
+      Dom.make("button", { type: "submit", text: "Look", test: "where-look", title: "What is so at this start" }),
+      wrong,
+    ]);
+    box.addEventListener("submit", (event) => {
+      event.preventDefault();
+      const start = fields.map((field) => Exactly.read(field.value.trim().replace("−", "-")));
+      const at = start.findIndex((value) => value === null);
+      const out = at < 0 ? where.axes.findIndex((axis, i) => !within(axis, /** @type {Rational} */ (start[i]))) : -1;
+      const why = at >= 0 ? `“${Dom.clip(fields[at].value, 40)}” is no number, such as 5/2 or 2.5`
+        : out >= 0 ? `${where.axes[out].name} is ${range(where.axes[out])}` : "";
+      Dom.tell(wrong, why);
+      wrong.hidden = why === "";
+      if (why === "") choose(/** @type {Rational[]} */ (start));
+    });
+    return box;
+  }
+
+  /** @param {DataWhere["axes"][number]} axis @param {Rational} value */
+  function within({ low, high }, value) {
+    const [below, above] = [Rational.cmp(value, Rational.of(low.value)), Rational.cmp(Rational.of(high.value), value)];
+    return (low.included ? below >= 0 : below > 0) && (high.included ? above >= 0 : above > 0);
+  }
+
+  /** @param {DataWhere["axes"][number]} axis */
+  const range = ({ low, high }) =>
+    `from ${Exactly.text(Rational.of(low.value))}${low.included ? "" : " (not itself)"} to ${Exactly.text(Rational.of(high.value))}${high.included ? "" : " (not itself)"}`;
+
+  /**
+   * Looks at any start.
+   * @param {Rational[]} start
+   */
+  function choose(start) {
+    const same = where.samples.findIndex((s) => coordinates(s).every((value, i) => Rational.cmp(value, start[i]) === 0));
+    if (same >= 0) return open(same);
+    chosen = start;
     mark();
   }
 
@@ -66,29 +139,74 @@ const Regions = (() => {
     return Dom.make("select", {
       "aria-label": "Check", test: "where-check",
       change: (/** @type {Event} */ e) => { check = Number(/** @type {HTMLSelectElement} */ (e.target).value); show(); },
-    }, where.checks.map((name, i) => Dom.make("option", { value: i, selected: i === check, text: Dom.clip(name, 80) })));
+    }, [...where.checks, ...where.numbers.map(({ name }) => name)].map((name, i) =>
+      Dom.make("option", { value: i, selected: i === check, text: Dom.clip(name, 80) })));
   }
+
+  /** The number that is painted, if it is one: by its place among them. */
+  const number = () => check - where.checks.length;
 
   function legend() {
-    const seen = new Set(where.regions.map((r) => r.outcomes[check]));
-    return Dom.make("ul", { class: "where-legend" }, [...seen].map((outcome) =>
-      Dom.make("li", { class: `where-${outcome}` }, [words[outcome], share(outcome)])));
+    const k = number();
+    if (k < 0) {
+      const seen = [...new Set(where.regions.map((r) => r.outcomes[check]))];
+      return Dom.make("ul", { class: "where-legend" }, seen.map((outcome) =>
+        Dom.make("li", { class: `where-${outcome}` }, [words[outcome], share((r) => r.outcomes[check] === outcome)])));
+    }
+    const seen = [...new Set(where.regions.map((r) => r.values[k]))].sort((a, b) => (a ?? Infinity) - (b ?? Infinity));
+    return Dom.make("ul", { class: "where-legend values", test: "where-values" }, seen.map((value) => Dom.make("li", {}, [
+      /** @type {any} */ (Dom.draw("svg", { width: 12, height: 12, viewBox: "0 0 12 12", "aria-hidden": "true" }, [
+        Dom.draw("rect", { x: 0.5, y: 0.5, width: 11, height: 11, rx: 2, fill: tint(k, value), class: "swatch" })])),
+      valued(k, value), share((r) => r.values[k] === value)])));
   }
 
-  /** @param {string} outcome */
-  function share(outcome) {
+  /** @param {number} k of a number @param {number | null} value which of its values */
+  function valued(k, value) {
+    if (value === null) return words.varies;
+    const { least, most, form } = where.numbers[k].values[value];
+    if (form !== undefined) return form;
+    if (least === null) return "infinite";
+    const a = Rational.of(least), b = most === null ? null : Rational.of(most);
+    if (b === null) return `at least ${Exactly.both(a)}`;
+    return Rational.cmp(a, b) === 0 ? Exactly.both(a) : `from ${Exactly.both(a)} to ${Exactly.both(b)}`;
+  }
+
+  /** From the least value to the greatest one: all of them differ in their lightness, too. */
+  const scale = [[254, 224, 110], [116, 196, 118], [44, 140, 150], [60, 82, 140], [68, 12, 90]];
+
+  /**
+   * The colour of a value.
+   * @param {number} k of a number @param {number | null} value which of its values
+   */
+  function tint(k, value) {
+    if (value === null) return "var(--quiet)";
+    const end = (/** @type {string} */ x) => Rational.toNumber(Rational.of(x));
+    const middle = where.numbers[k].values.map(({ least, most }) =>
+      least === null ? Infinity : most === null ? end(least) : (end(least) + end(most)) / 2);
+    const finite = middle.filter(Number.isFinite), low = Math.min(...finite), high = Math.max(...finite);
+    if (!Number.isFinite(middle[value])) return `rgb(${scale[scale.length - 1].join(", ")})`;
+    const part = (high > low ? (middle[value] - low) / (high - low) : 0.5) * (scale.length - 1);
+    const i = Math.min(scale.length - 2, Math.floor(part)), rest = part - i;
+    return `rgb(${scale[i].map((from, c) => Math.round(from + rest * (scale[i + 1][c] - from))).join(", ")})`;
+  }
+
+  /** @param {(r: DataRegion) => boolean} is */
+  function share(is) {
     let sum = Rational.zero;
-    for (const r of where.regions) if (r.outcomes[check] === outcome) sum = Rational.add(sum, Rational.of(r.share));
-    return ` in ${Rational.text(sum)} of the ranges`;
+    for (const r of where.regions) if (is(r)) sum = Rational.add(sum, Rational.of(r.share));
+    return ` in ${Rational.text(sum).replace(/\/1$/, "")} of the ranges`;
   }
 
   /** @param {DataRegion} r */
   function region(r) {
-    const kind = `where-${r.outcomes[check]}`;
+    const k = number(), kind = k < 0 ? `where-${r.outcomes[check]}` : "where-value";
+    const [fill, stroke] = k < 0 ? [null, null] : [tint(k, r.values[k]), tint(k, r.values[k])];
     return [
-      ...r.polygons.map((p) => Dom.draw("path", { class: `${kind} area`, d: `M${p.map(point).join("L")}Z` })),
-      ...r.lines.map(([a, b]) => Dom.draw("path", { class: `${kind} thin`, d: `M${point(a)}L${point(b)}` })),
-      ...r.points.map((p) => Dom.draw("circle", { class: `${kind} thin`, cx: place(0, p[0]), cy: place(1, p[1]), r: 4 })),
+      ...r.polygons.map((p) => Dom.draw("path", { class: `${kind} area`, d: `M${p.map(point).join("L")}Z`, fill })),
+      ...r.borders.map(({ ends: [a, b], belongs }) =>
+        Dom.draw("path", { class: belongs ? "border" : "border open", d: `M${point(a)}L${point(b)}` })),
+      ...r.lines.map(([a, b]) => Dom.draw("path", { class: `${kind} thin`, d: `M${point(a)}L${point(b)}`, stroke })),
+      ...r.points.map((p) => Dom.draw("circle", { class: `${kind} thin`, cx: place(0, p[0]), cy: place(1, p[1]), r: 4, stroke })),
     ];
   }
 
@@ -128,11 +246,11 @@ const Regions = (() => {
     ];
   }
 
+  /** @param {Rational[]} start by the axes */
+  const spot = ([x, y]) => ({ x: place(0, Rational.text(x)), y: y === undefined ? top + height() / 2 : place(1, Rational.text(y)) });
+
   /** @param {DataSample} s */
-  function at(s) {
-    const [x, y] = where.axes.map((axis) => s.at[axis.name]);
-    return { x: place(0, x), y: y === undefined ? top + height() / 2 : place(1, y) };
-  }
+  const at = (s) => spot(coordinates(s));
 
   function samples() {
     dots = where.samples.map((s) => {
@@ -158,45 +276,126 @@ const Regions = (() => {
     return { best, near, x, y };
   }
 
-  /** @param {MouseEvent} event */
-  const pointAt = (event) => open(nearest(event).best);
+  /**
+   * The run from a start at the pointer, or what is so at the start there.
+   * @param {MouseEvent} event
+   */
+  function pointAt(event) {
+    const { best, near, x, y } = nearest(event);
+    if (near < 7) open(best);
+    else choose(startAt(x, y));
+  }
+
+  /**
+   * A start at a place of the drawing: with the simplest numbers that are less than a pixel away.
+   * @param {number} x @param {number} y @returns {Rational[]}
+   */
+  function startAt(x, y) {
+    const parts = [(x - left) / width, 1 - (y - top) / height()];
+    return where.axes.map(({ low, high }, i) => {
+      const [a, b] = [Rational.of(low.value), Rational.of(high.value)], span = Rational.toNumber(Rational.sub(b, a));
+      const part = Math.max(0, Math.min(1, parts[i])), wanted = Rational.toNumber(a) + part * span;
+      const near = (0.75 * span) / (i === 0 ? width : height());
+      let found = part === 0 ? a : part === 1 ? b : Rational.add(a, Rational.mul(Rational.fromNumber(part), Rational.sub(b, a)));
+      for (let d = 1; d <= 1000; d++) {
+        const n = Math.round(wanted * d);
+        if (!(Math.abs(n / d - wanted) <= near)) continue;
+        found = Rational.make(BigInt(n), BigInt(d));
+        break;
+      }
+      return Rational.cmp(found, a) < 0 ? a : Rational.cmp(found, b) > 0 ? b : found;
+    });
+  }
 
   /**
    * Says which start is under the pointer, and what is so there.
    * @param {MouseEvent} event
    */
   function hover(event) {
-    const { best, near } = nearest(event), sample = where.samples[best];
-    dots.forEach((dot, i) => dot.classList.toggle("near", i === best && near < 14));
-    if (!sample || near >= 14) return tell();
-    const here = outcome(sample);
-    Dom.tell(told, `${values(sample)}${here ? `: ${words[here]}` : ""}. Click to see the run from there.`);
+    const { best, near, x, y } = nearest(event), sample = where.samples[best], on = sample !== undefined && near < 7;
+    dots.forEach((dot, i) => dot.classList.toggle("near", on && i === best));
+    if (x < left - 2 || x > left + width + 2 || y < top - 2 || y > top + height() + 2) return tell();
+    const start = on ? coordinates(sample) : startAt(x, y), r = regionOf(start);
+    Dom.tell(told, `${named(start)}: ${r ? outcome(r, check) : "outside of the ranges"}. ${on ? "Click to see the run from there." : "Click to look at this start."}`);
   }
+
+  /** @param {DataSample} s by the axes */
+  const coordinates = (s) => where.axes.map((axis) => Rational.of(s.at[axis.name]));
+
+  /** @param {Rational[]} start */
+  const named = (start) => where.axes.map(({ name }, i) => `${Dom.clip(name, 40)} = ${Exactly.text(start[i])}`).join(", ");
 
   /** @param {DataSample} s */
   const values = (s) => Object.keys(s.at).map((name) => `${Dom.clip(name, 40)} = ${Exactly.text(Rational.of(s.at[name]))}`).join(", ");
 
   /**
-   * What is so at a start: of the region that has it inside. At borders, which belong to one side, nothing is said.
-   * @param {DataSample} s
+   * The region that has a start, by its constraints: on borders, too, it is one alone.
+   * @param {Rational[]} start by the axes
    */
-  function outcome(s) {
-    const [x, y] = where.axes.map((axis) => Rational.of(s.at[axis.name]));
-    const p = [x, y || Rational.make(1n, 2n)];
-    const inside = (/** @type {[string, string][]} */ polygon) => polygon.every(([ax, ay], i) => {
-      const [bx, by] = polygon[(i + 1) % polygon.length].map(Rational.of), a = [Rational.of(ax), Rational.of(ay)];
-      const side = Rational.sub(
-        Rational.mul(Rational.sub(bx, a[0]), Rational.sub(p[1], a[1])), Rational.mul(Rational.sub(by, a[1]), Rational.sub(p[0], a[0])));
-      return Rational.sign(side) > 0;
+  function regionOf(start) {
+    const at = [start[0], start[1] || Rational.make(1n, 2n)];
+    const satisfied = (/** @type {{ normal: Rational[], relation: string, right: Rational }} */ { normal, relation, right }) => {
+      const side = Rational.cmp(Rational.add(Rational.mul(normal[0], at[0]), Rational.mul(normal[1], at[1])), right);
+      return relation === "<" ? side < 0 : relation === "<=" ? side <= 0 : side === 0;
+    };
+    const k = pieces.findIndex((all) => all.some((piece) => piece.every(satisfied)));
+    return k < 0 ? null : where.regions[k];
+  }
+
+  /**
+   * What is so in a region.
+   * @param {DataRegion} r @param {number} i of a check, or after these of a number
+   */
+  function outcome(r, i) {
+    const k = i - where.checks.length;
+    return k < 0 ? words[r.outcomes[i]] : valued(k, r.values[k]);
+  }
+
+  /**
+   * What is so at a start: of all checks and numbers; and the way to a run from there.
+   * @param {Rational[]} start @param {number} sample the start of a run, which is the same, or -1
+   */
+  function judged(start, sample) {
+    const r = regionOf(start), names = [...where.checks, ...where.numbers.map(({ name }) => name)];
+    const rows = r === null ? [Dom.make("li", { text: "This start is outside of the ranges." })]
+      : names.slice(0, 100).map((name, i) => {
+        const kind = i < where.checks.length ? `where-${r.outcomes[i]}` : "where-value";
+        return Dom.make("li", { class: kind }, [Dom.name(Dom.clip(name, 80)), `: ${outcome(r, i)}`]);
+      });
+    return [
+      Dom.make("h3", {}, [Dom.make("bdi", { text: `At ${named(start)}` })]),
+      Dom.make("ul", { class: "where-legend judged" }, rows),
+      ...(sample >= 0 || r === null ? [] : elsewhere(start)),
+    ];
+  }
+
+  /**
+   * Where no run of the file begins: the nearest one that does, and how one gets a file with a run from there.
+   * @param {Rational[]} start
+   */
+  function elsewhere(start) {
+    const from = spot(start);
+    let best = -1, least = Infinity;
+    where.samples.forEach((s, i) => {
+      const p = at(s), far = Math.hypot(p.x - from.x, p.y - from.y);
+      if (far < least) [best, least] = [i, far];
     });
-    const found = where.regions.find((r) => r.polygons.some(inside));
-    return found ? found.outcomes[check] : null;
+    const given = where.axes.map(({ name }, i) => `-D ${Export.quoted(`${name}=${Exactly.text(start[i])}`)}`).join(" ");
+    return [
+      Dom.make("p", {}, [
+        "No run of the file begins there. ",
+        best < 0 ? null : Dom.button(`The nearest one: ${values(where.samples[best])}`, () => open(best), { class: "link", test: "where-nearest" }),
+      ]),
+      Dom.make("p", { class: "quiet", text: "A page with the run from there:" }),
+      Dom.make("pre", { class: "source command", dir: "ltr", tabindex: "0", text: `scc view ${Export.quoted(player.data.name)} ${given} -o start.html`, test: "where-command" }),
+    ];
   }
 
   /** @param {number} index of a sample */
   function open(index) {
     const sample = where.samples[index];
     const run = sample && player.runs.find((r) => r.way === null && r.index === sample.run);
+    chosen = null;
     if (run) player.open(run);
   }
 
@@ -210,7 +409,8 @@ const Regions = (() => {
     if (!way) return;
     event.preventDefault();
     event.stopPropagation();
-    const now = present(), from = now < 0 ? { x: left + width / 2, y: top + height() / 2 } : at(where.samples[now]);
+    const now = present();
+    const from = chosen ? spot(chosen) : now < 0 ? { x: left + width / 2, y: top + height() / 2 } : at(where.samples[now]);
     let best = -1, least = Infinity;
     where.samples.forEach((s, i) => {
       const p = at(s), along = (p.x - from.x) * way[0] + (p.y - from.y) * way[1];
@@ -224,18 +424,25 @@ const Regions = (() => {
   const present = () => where.samples.findIndex((s) => s.run === player.run.index && player.run.way === null);
 
   function mark() {
-    const now = present();
+    const now = present(), start = chosen || (now < 0 ? null : coordinates(where.samples[now]));
     dots.forEach((dot, i) => {
       dot.setAttribute("class", i === now ? "sample here" : "sample");
       dot.setAttribute("r", i === now ? "5" : "2.2");
     });
+    cross.setAttribute("visibility", chosen ? "visible" : "hidden");
+    if (chosen) {
+      const { x, y } = spot(chosen);
+      for (const line of cross.children) line.setAttribute("d", `M${x - 8} ${y}h16M${x} ${y - 8}v16`);
+    }
+    if (start) fields.forEach((field, i) => { field.value = Exactly.text(start[i]); });
+    Dom.fill(verdicts, ...(start ? judged(start, chosen ? -1 : now) : []));
     tell();
   }
 
   /** Says which run is shown. */
   function tell() {
     const s = where.samples[present()];
-    Dom.tell(told, s ? `The run from ${values(s)}` : "Point at a start, one of the dots, to see the run from there.");
+    Dom.tell(told, s ? `The run from ${values(s)}` : "Point at a start, or write one. From the dots there are runs.");
   }
 
   return { start };

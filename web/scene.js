@@ -215,7 +215,7 @@ class Scene {
     if (this.pointer && !this.composed) this.#hover(this.pointer);
     if (!bodies.last.bodies) bodies.update(now.course, present, orbit.target);
     bodies.finish();
-    this.ghosts.draw([...marking.before, ...this.others], orbit.target);
+    this.ghosts.draw([...marking.before, ...marking.gone, ...this.others], orbit.target);
     this.marks.words(width, height);
     this.work = performance.now() - began;
     this.gl.shade(Kind.shared.shade.value, Shaders.depth);
@@ -296,16 +296,19 @@ class Scene {
 
   /**
    * What there is to see: bodies that move, and what is fixed unless it is much larger; at first, those of the whole run;
-   * and a whole place near them, from which they are told.
+   * what reasons name, and what is gone, where it was last; and a whole place near them, from which they are told.
    * @param {{ course: Course, legs: number, time: Rational }} now
    */
   #seen(now) {
     const { course, legs, time } = now;
     const present = course.bodiesAfter(legs, time);
     const { far, base, based } = this.#near(course, present);
-    const here = Frame.boxes(this.bodies, course, present, base);
-    let seen = Frame.whole(here, this.walls);
-    const later = Frame.whole(this.fitted ? here : here.concat(this.#later(course, base)), this.walls);
+    const { lit, before, gone } = this.marking, matters = new Set([...lit, ...(course.legs[legs - 1]?.label.leaves || [])]);
+    const outlines = [...before, ...gone].flatMap((ghost) =>
+      Frame.boxes(this.bodies, ghost.course, [ghost.body], base).filter((b) => b.leaf === ghost.place.leaf));
+    const here = Frame.boxes(this.bodies, course, present, base).concat(outlines);
+    let seen = Frame.whole(here, this.walls, matters);
+    const later = Frame.whole(this.fitted ? here : here.concat(this.#later(course, base)), this.walls, matters);
     if (!seen || !later) return null;
     if (later.size < 4 * seen.size) seen = later;
     return { seen, far, based };
@@ -338,6 +341,7 @@ class Scene {
     this.shape = `${width} ${height}`;
     const { at, distance } = Frame.fit(seen.points, this.orbit, width, height, this.marks.taken(width, height));
     this.#level(of, distance);
+    this.marks.fresh = true;
     if (far) this.orbit.stand(at.map(based), distance);
     else this.orbit.fly(at, distance, this.still.matches || !this.fitted);
     this.fitted = true;
@@ -382,10 +386,10 @@ class Scene {
 
   camera() { return Scene.why ? {} : this.orbit.save(); }
 
-  /** Which axis points up, how high the floor is, and from where one looks, for tests. */
+  /** Which axis points up, how high the floor is, from where one looks, and where the legend is, for tests. */
   look() {
     const { up, direction } = this.orbit;
-    return { up, floor: Rational.text(this.floorAt), from: direction };
+    return { up, floor: Rational.text(this.floorAt), from: direction, ...this.marks.legend };
   }
 
   /**

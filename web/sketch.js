@@ -6,6 +6,8 @@
  */
 const Sketch = (() => {
   const margin = 26, radius = 9;
+  /** How wide a letter beside an edge is. */
+  const letter = 5.1;
   /**
    * What transitions of a kind are called.
    * @type {{ [kind: string]: string }}
@@ -41,6 +43,12 @@ const Sketch = (() => {
       for (const ends of drawing.edges) count[ends[end]] += 1;
       return count;
     });
+    /** @type {number[][]} */
+    const taken = places.map(({ x, y }, i) => {
+      const wide = drawing.spots[i].states.length > 1 ? 17 : radius + 1;
+      return [x - wide, y - radius - 1, x + wide, y + radius + 1];
+    });
+    const free = (/** @type {number[]} */ room) => !taken.some((t) => t[0] < room[2] && room[0] < t[2] && t[1] < room[3] && room[1] < t[3]);
     drawing.edges.forEach(([a, b], i) => {
       const { path, at } = course(places[a], places[b], a === b, gap.y);
       const line = edge(shown, path, drawing.choices[i], places[b].y > places[a].y);
@@ -49,8 +57,15 @@ const Sketch = (() => {
       const text = said(shown, drawing.choices[i]);
       if (text === "") return;
       // Near the end that has this edge alone, and else at another height than those beside it.
-      const { x, y } = at(outgoing[a] > 1 && incoming[b] === 1 ? 0.78 : incoming[b] > 1 && outgoing[a] === 1 ? 0.22 : 0.4 + 0.1 * (i % 3));
-      words.append(Dom.draw("text", { class: "edge-text", x: x.toFixed(1), y: (y + 3).toFixed(1), text }));
+      const first = outgoing[a] > 1 && incoming[b] === 1 ? 0.78 : incoming[b] > 1 && outgoing[a] === 1 ? 0.22 : 0.4 + 0.1 * (i % 3);
+      // Where there is no room for it, it is said in the title of the edge alone.
+      for (const part of [first, 0.5, 0.35, 0.65, 0.22, 0.78]) {
+        const { x, y } = at(part), half = (letter * text.length) / 2, room = [x - half, y - 5, x + half, y + 5];
+        if (!free(room)) continue;
+        taken.push(room);
+        words.append(Dom.draw("text", { class: "edge-text", x: x.toFixed(1), y: (y + 3).toFixed(1), text }));
+        break;
+      }
     });
     const nodes = drawing.spots.map(({ states }, i) => node(shown, states, places[i]));
     // In reading order, for those who go through them.

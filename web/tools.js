@@ -16,10 +16,16 @@ const Tools = (() => {
     spins: false,
     trails: false,
     marks: true,
+    legend: true,
     grid: true,
     projection: "perspective",
     up: "y",
   };
+  /**
+   * Those that are shown or not, as they are at first.
+   * @type {{[option: string]: boolean}}
+   */
+  const usual = Object.fromEntries(["names", "velocities", "spins", "trails", "marks", "legend", "grid"].map((name) => [name, options[name]]));
   /** @type {{[id: string]: HTMLButtonElement}} */
   const made = {};
 
@@ -178,6 +184,7 @@ const Tools = (() => {
       toggle("spins", "Spins", "Spins as arrows"),
       toggle("trails", "Trails", "Where bodies have been (r)"),
       toggle("marks", "Marks", "The bodies that reasons name, and what the last step has changed (m)"),
+      toggle("legend", "Legend", "What colours and patterns mean"),
       toggle("grid", "Grid", "The grid on the floor"),
       projection,
       up,
@@ -205,6 +212,7 @@ const Tools = (() => {
   function set(option, value) {
     options[option] = value;
     tell(option);
+    document.dispatchEvent(new CustomEvent("view"));
     if (scene) {
       scene.setOptions(options);
       scene.show(player.course, player.legs, player.time);
@@ -267,9 +275,29 @@ const Tools = (() => {
         Dom.get(panel).hidden = !on;
         document.body.classList.toggle(panel, on);
         if (on) shown();
+        document.dispatchEvent(new CustomEvent("graph"));
       });
     }
   }
 
-  return { start, flip, learn };
+  /** What is shown in the scene, or left out, that is not so at first: of what the camera does not say. */
+  const switched = () => Object.keys(usual).filter((option) => options[option] !== usual[option]);
+
+  /**
+   * Shows and leaves out what an address says.
+   * @param {string[]} names of what is not as it is at first @returns {boolean} whether all of them are known
+   */
+  function load(names) {
+    for (const option of Object.keys(usual)) {
+      options[option] = usual[option] !== names.includes(option);
+      tell(option);
+    }
+    if (scene) {
+      scene.setOptions(options);
+      scene.show(player.course, player.legs, player.time);
+    }
+    return names.every((name) => Object.keys(usual).includes(name));
+  }
+
+  return { start, flip, learn, switched, load };
 })();

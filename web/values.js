@@ -148,9 +148,12 @@ const Values = (() => {
     if (sampled) {
       let last = low;
       while (last < legs && instants[last + 1] <= to) last++;
+      const slow = Formulas.wide(plot - player.data.plots.length) && player.course.leaves.length > many;
       // Of very many legs, some.
-      const every = Math.max(1, Math.ceil((last - low + 1) / most));
-      for (let k = low; k <= last; k += every) sample(player, k, plot, { from, to, width, every }, add);
+      const every = Math.max(1, Math.ceil((last - low + 1) / (slow ? fewer : most)));
+      const all = samples(player, plot, { from, to, width, every, low, last });
+      if (slow) return slowly(player, plot, JSON.stringify([player.run.index, player.run.way, legs, from, to, width]), all, add, strokes, () => stroke);
+      for (const [time, value] of all) add(time, value);
       end();
       return strokes;
     }
@@ -178,31 +181,89 @@ const Values = (() => {
     return strokes;
   }
 
-  /** So many legs are drawn of what is evaluated instant by instant. */
-  const most = 3000;
+  /** So many legs are drawn of what is evaluated instant by instant; fewer of what is about all of more than so many bodies. */
+  const most = 3000, fewer = 1000, many = 200;
 
   /**
-   * Exact values at the beginning and the end of a leg, and at each pixel between.
-   * @param {Player} player @param {number} k @param {number} plot
-   * @param {{ from: number, to: number, width: number, every: number }} seen @param {(time: number, value: number) => void} add
+   * Exact values at the beginning and the end of legs, and at each pixel between, in floats; one after the other, as each may
+   * take a while.
+   * @param {Player} player @param {number} plot
+   * @param {{ from: number, to: number, width: number, every: number, low: number, last: number }} seen
+   * @returns {Generator<[number, number]>} times with values
    */
-  function sample(player, k, plot, { from, to, width, every }, add) {
-    const [a, b] = [player.instants[k], player.instants[k + 1]];
-    const one = (/** @type {number} */ at, /** @type {Rational} */ time) => {
-      const value = exact(player, k, plot, time);
-      add(at, typeof value === "string" ? NaN : Rational.toNumber(value));
-    };
-    const start = player.instant(k);
-    one(a, start);
-    if (b <= a || every > 1) return;
-    const [first, last] = [Math.max(a, from), Math.min(b, to)];
-    const count = Math.ceil(((last - first) / (to - from)) * Math.min(width, 600));
-    for (let i = 1; i < count; i++) {
-      const at = first + ((last - first) * i) / count, time = Exactly.grid(at);
-      if (Rational.cmp(time, start) > 0 && Rational.cmp(time, player.until(k)) < 0) one(at, time);
+  function* samples(player, plot, { from, to, width, every, low, last }) {
+    for (let k = low; k <= last; k += every) {
+      const [a, b] = [player.instants[k], player.instants[k + 1]];
+      const one = (/** @type {number} */ at, /** @type {Rational} */ time) => {
+        const value = exact(player, k, plot, time);
+        return /** @type {[number, number]} */ ([at, typeof value === "string" ? NaN : Rational.toNumber(value)]);
+      };
+      const start = player.instant(k);
+      yield one(a, start);
+      if (b <= a || every > 1) continue;
+      const [first, over] = [Math.max(a, from), Math.min(b, to)];
+      const count = Math.ceil(((over - first) / (to - from)) * Math.min(width, 600));
+      for (let i = 1; i < count; i++) {
+        const at = first + ((over - first) * i) / count, time = Exactly.grid(at);
+        if (Rational.cmp(time, start) > 0 && Rational.cmp(time, player.until(k)) < 0) yield one(at, time);
+      }
+      yield one(b, player.until(k));
     }
-    one(b, player.until(k));
   }
+
+  /** @typedef {{ key: string, strokes: () => [number, number][][], done: boolean }} Job  A drawing that is made piece by piece. */
+  /** @type {Map<number, Job>} */
+  const jobs = new Map();
+  /** Milliseconds that a piece takes, and after which what there is so far is drawn. */
+  const piecewise = 15, told = 500;
+  /** @type {() => void} */
+  let progress = () => {};
+
+  /**
+   * Calls a listener when more is known of what is evaluated piece by piece.
+   * @param {() => void} listener
+   */
+  function onProgress(listener) {
+    progress = listener;
+  }
+
+  /**
+   * What is known so far of a drawing that takes long; the page goes on meanwhile.
+   * @param {Player} player @param {number} plot @param {string} key what it is of @param {Generator<[number, number]>} all
+   * @param {(time: number, value: number) => void} add @param {[number, number][][]} strokes
+   * @param {() => [number, number][]} last what is not at its end
+   */
+  function slowly(player, plot, key, all, add, strokes, last) {
+    const had = jobs.get(plot);
+    if (had && had.key === key) return had.strokes();
+    const job = { key, done: false, strokes: () => [...strokes, ...(last().length > 0 ? [last()] : [])] };
+    jobs.set(plot, job);
+    let drawn = performance.now();
+    const on = () => {
+      // Another part of time is drawn, or another run, or it was taken away.
+      if (jobs.get(plot) !== job || !Formulas.there(plot)) return;
+      const began = performance.now();
+      while (performance.now() - began < piecewise) {
+        const next = all.next();
+        if (next.done) {
+          job.done = true;
+          progress();
+          return;
+        }
+        add(...next.value);
+      }
+      if (performance.now() - drawn > told) {
+        drawn = performance.now();
+        progress();
+      }
+      setTimeout(on);
+    };
+    setTimeout(on);
+    return job.strokes();
+  }
+
+  /** Whether drawings are being made piece by piece. */
+  const busy = () => [...jobs].some(([plot, job]) => !job.done && Formulas.there(plot));
 
   /**
    * Whether a number changes in a run.
@@ -257,5 +318,5 @@ const Values = (() => {
     return rows.map((cells) => cells.map(quote).join(",")).join("\r\n") + "\r\n";
   }
 
-  return { exact, points, varies, csv };
+  return { exact, points, varies, csv, onProgress, busy };
 })();

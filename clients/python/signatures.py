@@ -69,9 +69,10 @@ FIRST = {
     "view": "Makes a page or a picture of a model, as ``scc view`` does.",
 }
 LAST = (
-    "``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``: True "
-    "shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the command, and the "
-    "result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises CommandFailed."
+    "``scc``: the program; by default that of the environment variable SCC, or the one that this package carries, or the "
+    "one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line of it. The "
+    "first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the second is a "
+    "KeyboardInterrupt. Raises CommandFailed."
 )
 HEAD = '''"""The commands of scc, as functions. Written by signatures.py from the manuals of scc; do not edit."""
 

@@ -22,6 +22,7 @@ is there, so that nothing is built here.
   prefix/share/man/man1/scc-export.1
   prefix/share/man/man1/scc-fmt.1
   prefix/share/man/man1/scc-inflate.1
+  prefix/share/man/man1/scc-lsp.1
   prefix/share/man/man1/scc-oracle.1
   prefix/share/man/man1/scc-serve.1
   prefix/share/man/man1/scc-shape.1
@@ -44,7 +45,12 @@ The pages are those of the program, and groff finds nothing wrong with them:
   >   grep -q "^\.TH \"$(echo $name | tr a-z A-Z)\" 1" $page || echo "$page: no title"
   >   if command -v groff > /dev/null; then groff -man -ww -K utf8 -T utf8 $page 2>&1 > /dev/null; fi
   > done
-  $ scc check --help=groff | cmp - prefix/share/man/man1/scc-check.1
+  $ scc check --help=groff | diff - prefix/share/man/man1/scc-check.1
+  9c9
+  < scc\N'45'check \N'45' explore a model and verify its properties
+  ---
+  > scc\-check \- explore a model and verify its properties
+  [1]
 
 Each command and each option of its manual is known to each shell, and the shells can read what is written for them.
 
@@ -70,7 +76,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   $ complete() { bash complete.bash $bash "$@"; }
   $ touch 'a model.sc' model.sc; mkdir models
   $ complete scc ''
-  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate lsp oracle serve shape simulate successors sweep trace translate view
   $ complete scc ex
   explain explore export
   $ complete scc check --s
@@ -97,7 +103,7 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   model.sc models
   $ complete scc check --states ''
   $ complete scc --help ''
-  --help --version check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
+  --help --version check compare conform decompose diff estimate explain explore export fmt inflate lsp oracle serve shape simulate successors sweep trace translate view
 
 fish, where it is there, tells what each is for:
 

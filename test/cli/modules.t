@@ -181,3 +181,27 @@ A name that an import does not have: one like it, or what it has.
   $ unknown 'import <solids> as s' 's.Cuboid(1, 1, 1)'
   unknown.sc:2:15: error[SC0201]: unknown template `solids.Cuboid(1,1,1)`
     hint: `s` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
+
+Without the name of the import, and with one that is missing or has a typing error:
+
+  $ printf 'import <solids> as s\nprocess p = Cube(1) mass 1 [nil]\n' > short.sc; scc check short.sc
+  short.sc:2:13: error[SC0201]: unknown template `Cube(1)`
+     |
+   2 | process p = Cube(1) mass 1 [nil]
+     |             ^^^^
+    hint: did you mean `s.Cube`?
+  [3]
+  $ printf 'process p = Cube(1) mass 1 [nil]\n' > without.sc; scc check without.sc
+  without.sc:1:13: error[SC0201]: unknown template `Cube(1)`
+     |
+   1 | process p = Cube(1) mass 1 [nil]
+     |             ^^^^
+    hint: `solids.Cube` is in a module of scc: say `import <solids>`
+  [3]
+  $ printf 'import <solid>\nprocess p = solid.Cube(1) mass 1 [nil]\n' > typo.sc; scc check typo.sc
+  typo.sc:1:9: error[SC0201]: there is no library `solid`; those that there are: solids
+     |
+   1 | import <solid>
+     |         ^^^^^
+    hint: did you mean `solids`?
+  [3]

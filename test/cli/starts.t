@@ -1,4 +1,4 @@
-Probabilities over all starts (rule Starts): functions of the parameters, constant on pieces.
+Probabilities and means over all starts (rule Starts): functions of the parameters, constant or affine on pieces.
 
   $ cat > cleft.sc << 'END'
   > model cleft
@@ -60,12 +60,17 @@ Probabilities over all starts (rule Starts): functions of the parameters, consta
     fails everywhere
     probability 0
   
-  mean: undecided: a mean over the runs is not computed over starts
+  mean: 1/2 to 5/2, for d in [0, 3], h in [0, 2]; mean 145/96, about 1.51
     E = ? [ z(ligand) at 1 ]
-    its value is not known for any start
+    h = 0, d >= 2 (no area): 1/2
+    h > 1/2: h + 1/2
+    d >= 2, 0 < h <= 1/2: h + 1/2
+    h = 0, d < 2 (no area): 5/8
+    0 < h <= 1/2, d < 2: 3/4 h + 5/8
+    mean 145/96, about 1.51
   
-  explored: 118 states, 221 transitions, depth 13; not complete
-  4 properties: 2 violated, 1 measured, 1 undecided
+  explored: 156 states, 259 transitions, depth 13; complete
+  4 properties: 2 violated, 2 measured
   [1]
 
 On the border of pieces, too, a single start has the value of the pieces:
@@ -78,7 +83,171 @@ On the border of pieces, too, a single start has the value of the pieces:
 The mean in JSON:
 
   $ scc check cleft.sc --json | grep -c '"mean"'
-  3
+  5
+  $ scc check cleft.sc --json --where --check mean | grep -c '"low_form"'
+  4
+
+Means. A run that never comes to it makes the mean infinite. Comparisons say for which starts they hold.
+
+  $ cat > meet.sc << 'END'
+  > model meet
+  > import <solids>
+  > param d in [3, 5]
+  > process a = solids.Cube(2) mass 1 velocity (1, 0, 0) [nil]
+  > process b = solids.Cube(2) mass 1 at translate (d, 0, 0) [nil]
+  > check meets : E = ? [ time U event bounce ]
+  > check far   : E = ? [ time U x(a) > 1 ]
+  > check later : E = ? [ time U x(a) > 1 or time >= 9 ]
+  > check early : E <= 5/2 [ time U event bounce ]
+  > check many  : E = ? [ event bounce U time >= 2 ]
+  > check push  : E = ? [ vx(b) at 2 ]
+  > check apart : E = ? [ distance2(a, b) at 2 ]
+  > check rest  : E = ? [ time U quiescent ]
+  > END
+  $ scc check meet.sc --where
+  semantics 3
+  
+  meets: d - 2, for d in [3, 5]
+    E = ? [ time U event bounce ]
+    everywhere: d - 2
+    mean 2
+  
+  far: 1 to infinite, for d in [3, 5]; mean 1
+    E = ? [ time U x(a) > 1 ]
+    d > 3: 1
+    d = 3 (no length): infinite
+    mean 1
+  
+  later: 1 to 9, for d in [3, 5]; mean 1
+    E = ? [ time U x(a) > 1 or time >= 9 ]
+    d > 3: 1
+    d = 3 (no length): 9
+    mean 1
+  
+  early: violated for d = 14/3
+    E <= 5/2 [ time U event bounce ]
+    no single run shows it: everything that counts was explored
+    holds where
+      d <= 9/2
+    fails elsewhere
+    probability 3/4 = 0.75
+  
+  many: 0 to 1, for d in [3, 5]; mean 1/2 = 0.5
+    E = ? [ event bounce U time >= 2 ]
+    d >= 4: 0
+    d < 4: 1
+    mean 1/2 = 0.5
+  
+  push: 0 to 1, for d in [3, 5]; mean 1/2 = 0.5
+    E = ? [ vx(b) at 2 ]
+    d > 4: 0
+    d <= 4: 1
+    mean 1/2 = 0.5
+  
+  apart: undecided: a distance is not linear in what is not known
+    E = ? [ distance2(a, b) at 2 ]
+    its value is not known for all starts
+  
+  rest: undecided: over starts, `quiescent` is not known in an operator with a probability, or in a mean
+    E = ? [ time U quiescent ]
+    its value is not known for all starts
+  
+  explored: 17 states, 12 transitions, depth 2; not complete
+  8 properties: 1 violated, 5 measured, 2 undecided
+  [1]
+  $ for d in 3 4 5; do scc check meet.sc -D d=$d --check push --check many --check far | grep '^[pmf]'; done
+  far: infinite
+  many: 1
+  push: 1
+  far: 1
+  many: 0
+  push: 1
+  far: 1
+  many: 0
+  push: 0
+
+Without an end the greatest value is infinite where the exploration stops:
+
+  $ cat > until.sc << 'END'
+  > model walk
+  > timestep 1
+  > param start in [0, 3]
+  > import <solids>
+  > process walker = solids.Cube(1) mass 1 at translate (start, 0, 0) [nil]
+  > fixed ruin = solids.Cube(1) at translate (-2, 0, 0)
+  > motion walker = choose { (1, 0, 0) weight 2, (-1, 0, 0) weight 3 }
+  > check back   : E = ? [ time U x(walker) <= -1 ]
+  > check steps  : E = ? [ event bounce or not event bounce U time >= 2 ]
+  > check number : E = ? [ x(walker) at 3 ]
+  > END
+  $ scc check until.sc --where --depth 6
+  semantics 3: timestep 1
+  
+  back: at least 7/5, for start in [0, 3]; mean at least 97/50 = 1.94, as far as is known: the exploration ended at the depth bound 6
+    E = ? [ time U x(walker) <= -1 ]
+    start = 0 (no length): at least 7/5, not known better
+    0 < start < 1: at least 9/25 start + 41/25, not known better
+    start >= 1: at least 2, not known better
+    mean at least 97/50 = 1.94
+  
+  steps: at least 2, for start in [0, 3]; mean at least 56/25 = 2.24, as far as is known: the exploration ended at the depth bound 6
+    E = ? [ event bounce or not event bounce U time >= 2 ]
+    start >= 1: 2
+    0 < start < 1: at least 68/25, not known better
+    start = 0 (no length): 74/25
+    mean at least 56/25 = 2.24
+  
+  number: undecided: the exploration ended at the depth bound 6
+    E = ? [ x(walker) at 3 ]
+    its value is not known for all starts
+  
+  explored: 33 states, 53 transitions, depth 6; not complete: stopped by the depth bound 6
+  3 properties: 2 within an interval, 1 undecided
+  [2]
+
+Where bonds may break at any time, happenings are counted, and times have no least value that is attained:
+
+  $ cat > any.sc << 'END'
+  > model any
+  > split_step any
+  > param d in [3, 4]
+  > import <solids>
+  > behaviour Open on solids.Cube(2) = <a, {right}>. omega(a, {right}). nil
+  > behaviour Shut on solids.Cube(2) = <~a, {left}>. omega(a, {left}). nil
+  > process p = solids.Cube(2) mass 1 velocity (1, 0, 0) [Open]
+  > process q = solids.Cube(2) mass 1 at translate (d, 0, 0) [Shut]
+  > check breaks : Emax = ? [ event weak U time >= 3 ]
+  > check when   : Emin = ? [ time U event weak ]
+  > END
+  $ scc check any.sc --where
+  semantics 3: split step any
+  
+  breaks: 1, for d in [3, 4]
+    Emax = ? [ event weak U time >= 3 ]
+    everywhere: 1
+    mean 1
+  
+  when: undecided: over starts, a mean of a time or of a number is not known where bonds may break at any time
+    Emin = ? [ time U event weak ]
+    its value is not known for all starts
+  
+  explored: 4 states, 3 transitions, depth 3; not complete
+  2 properties: 1 measured, 1 undecided
+  [2]
+
+An event that leads to the last state at a time counts there, in a number, too:
+
+  $ cat > last.sc << 'END'
+  > model last
+  > import <solids>
+  > process a = solids.Cube(2) mass 1 velocity (1, 0, 0) [nil]
+  > process b = solids.Cube(2) mass 1 at translate (3, 0, 0) [nil]
+  > check now   : E = ? [ if event bounce then 1 else 0 at 1 ]
+  > check later : E = ? [ if event bounce then 1 else 0 at 3/2 ]
+  > END
+  $ scc check last.sc | grep '^now\|^later'
+  now: 1
+  later: 0
 
 A drawing has a region for each value. Where parameters are projected, the value may depend on them.
 
@@ -191,8 +360,32 @@ What is not followed over zones:
 
   $ sed 's/^timestep 1/timestep 1 local/' walk.sc > local.sc; scc check local.sc
   error[SC0901]: what is not known of this model does not stay linear: processes have movement steps of their own (`timestep ... local`)
-    hint: give every parameter a value
+    hint: give every parameter a value, by `-D` or, for many starts, by `scc sweep -D x=0:3:1/2`
   [3]
+
+  $ sed 's/^timestep 1/timestep 1\nblocked wait/' walk.sc > blocked.sc; scc check blocked.sc
+  error[SC0901]: what is not known of this model does not stay linear: walkers stop where they are blocked (rule Blocked: a kick is taken or not by all that lies on its path)
+    hint: give every parameter a value, by `-D` or, for many starts, by `scc sweep -D x=0:3:1/2`; or let walkers bounce, `blocked bounce`
+  [3]
+
+Numbers as functions of SMT-LIB:
+
+  $ scc check meet.sc --check meets --check far --check early --smt numbers.smt2 > /dev/null; cat numbers.smt2
+  (set-info :smt-lib-version 2.6)
+  (set-logic QF_LRA)
+  (declare-const d Real)
+  (assert (and (<= (* (- 1.0) d) (- 3.0)) (<= d 5.0)))
+  (define-fun early-holds () Bool (and (<= (* (- 1.0) d) (- 3.0)) (<= (* 2.0 d) 9.0)))
+  (define-fun early-fails () Bool (and (< (* (- 2.0) d) (- 9.0)) (<= d 5.0)))
+  (define-fun early-unknown () Bool false)
+  (define-fun meets-low () Real (ite (and (<= (* (- 1.0) d) (- 3.0)) (<= d 5.0)) (+ d (- 2.0)) 0.0))
+  (define-fun meets-low-infinite () Bool false)
+  (define-fun meets-high () Real (ite (and (<= (* (- 1.0) d) (- 3.0)) (<= d 5.0)) (+ d (- 2.0)) 0.0))
+  (define-fun meets-high-infinite () Bool false)
+  (define-fun far-low () Real (ite (and (< (* (- 1.0) d) (- 3.0)) (<= d 5.0)) 1.0 0.0))
+  (define-fun far-low-infinite () Bool (= d 3.0))
+  (define-fun far-high () Real (ite (and (< (* (- 1.0) d) (- 3.0)) (<= d 5.0)) 1.0 0.0))
+  (define-fun far-high-infinite () Bool (= d 3.0))
 
 Checks that ask about the same until share its exploration, whatever they ask about it. Each has the answer that it has
 alone.

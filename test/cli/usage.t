@@ -39,7 +39,7 @@ The arguments of each command that make it succeed, without options:
   > }
   $ commands='check trace view export explore explain compare conform diff shape inflate decompose oracle successors fmt translate'
   $ scc --help=plain | sed -n '/^COMMANDS/,/^COMMON/s/^       \([a-z]*\) .*/\1/p' | sort | xargs
-  check compare conform decompose diff estimate explain explore export fmt inflate oracle serve shape simulate successors sweep trace translate view
+  check compare conform decompose diff estimate explain explore export fmt inflate lsp oracle serve shape simulate successors sweep trace translate view
   $ for c in $commands; do scc $c $(arguments $c) < /dev/null > out 2> err || echo "$c: $?"; done
 
 misuse WORDS: each of those commands, with its arguments and these words. What does not end with 64, or says nothing,

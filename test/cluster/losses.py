@@ -10,7 +10,7 @@ import time
 
 from support import BONDS, awaited, children, command, in_words, model, report_of, scc_bytes, tell, there, title
 
-CHECK = ['check', BONDS, '-D', 'n=19', '--owners', '2', '--json']
+CHECK = ['check', BONDS, '-D', 'n=20', '--owners', '2', '--json']
 RUNS = ['--runs', '1500', '--observe', 'x(ligand)', '--every', '1', '--until', '40']
 SIMULATE = ['simulate', model('brownian.sc'), *RUNS]
 SWEEP = ['sweep', model('hexokinase.sc'), '-D', 'atp_arrives=1..12', '-D', 'glucose_arrives=1..12']

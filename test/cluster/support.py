@@ -45,7 +45,7 @@ def in_words(scc, what, *arguments):
 
 
 def plain(report):
-    return dict(report.__dict__, recovered=None)
+    return dict(report.__dict__, recovered=None, seconds=None)
 
 
 def children(pid):

@@ -46,7 +46,7 @@ def addresses(scc):
 def checkpoints(scc):
     """Where nothing can be kept."""
     def said_so(what, where, *arguments):
-        code, out, said = command(scc, 'check', BONDS, '-D', 'n=12', '--owners', '2', '--checkpoint', where, *arguments)
+        code, out, said = command(scc, 'check', BONDS, '-D', 'n=20', '--owners', '2', '--checkpoint', where, *arguments)
         tell('%s: %s' % (what, said), [] if code == 74 and not out else ['code %d' % code])
         return code
     with tempfile.TemporaryDirectory() as folder:
@@ -76,7 +76,7 @@ def with_mount(folder, options, test):
 def full(scc, said_so, where):
     said_so('a full disk', where)
     subprocess.run(['mount', '-o', 'remount,size=100m', where], check=True)
-    arguments = ['check', BONDS, '-D', 'n=12', '--owners', '2', '--json']
+    arguments = ['check', BONDS, '-D', 'n=20', '--owners', '2', '--json']
     code, out, said = command(scc, *arguments, '--checkpoint', where)
     expected = command(scc, *arguments)
     tell('it goes on when there is room', [] if (code, report_of(out)) == (0, report_of(expected[1])) else ['differs: ' + said])
@@ -84,11 +84,11 @@ def full(scc, said_so, where):
 
 def interrupted(scc):
     """Ctrl-C: a terminal sends it to all processes of the group."""
-    check = ['check', BONDS, '-D', 'n=19', '--owners', '2', '--json']
+    check = ['check', BONDS, '-D', 'n=21', '--owners', '2', '--json']
     runs = ['--runs', '5000', '--observe', 'x(ligand)', '--every', '1', '--until', '40']
     simulate = ['simulate', model('brownian.sc'), *runs]
     expected = {'check': report_of(command(scc, *check)[1]), 'simulate': scc_bytes(scc, *simulate)[0]}
-    for arguments, kept, least in [(check, '1/1-*.shard', 2), (simulate, '*.part', 10)]:
+    for arguments, kept, least in [(check, '1/1-*.shard', 1), (simulate, '*.part', 10)]:
         with tempfile.TemporaryDirectory() as folder:
             words = in_words(scc, *arguments, '--checkpoint', folder)
             # A pipe that nobody reads would hold it up.

@@ -10,7 +10,7 @@ BARE = re.compile(r'^(?:\S+: |command line: )?(error|warning)\[(SC\d{4})\]', re.
 EXIT = re.compile(r'^exit (\d+)$', re.M)
 # Read by a command, or found by exploring: no request loads them.
 ONLY_COMMANDS = ('SC0602', 'SC0603', 'SC0604', 'SC0702', 'SC0703', 'SC0704', 'SC0705', 'SC0706', 'SC0801', 'SC0802', 'SC0920', 'SC0921',
-                 'SC0922', 'SC0923')
+                 'SC0922', 'SC0923', 'SC0924')
 
 
 def read(folder, file):

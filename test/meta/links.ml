@@ -90,7 +90,7 @@ let fault_of document target =
 
 (* {1 Paths} *)
 
-let folders = [ "bin/"; "clients/"; "lib/"; "scripts/"; "specs/"; "test/" ]
+let folders = [ "bin/"; "clients/"; "editors/"; "lib/"; "scripts/"; "specs/"; "test/" ]
 
 (* A path between backquotes, up to a space: what is behind it are arguments. *)
 let paths line =

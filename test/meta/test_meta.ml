@@ -265,7 +265,7 @@ let suite_obtained () =
 let links () =
   let documents =
     [ "README.md"; "CHANGES.md"; "CONTRIBUTING.md"; "DEVEL.md" ]
-    @ List.concat_map Tree.files [ "clients"; "lib"; "scripts"; "specs"; "test" ]
+    @ List.concat_map Tree.files [ "clients"; "editors"; "lib"; "scripts"; "specs"; "test" ]
     |> List.filter (fun file -> Filename.check_suffix file ".md")
   in
   Alcotest.(check bool) "documents are found" true (List.length documents > 15);

@@ -1,6 +1,8 @@
-let passes (name, tests) =
-  match Alcotest.run ~and_exit:false name tests with
-  | () -> true
-  | exception Alcotest.Test_error -> false
+let joined groups =
+  let names = List.sort_uniq compare (List.map fst groups) in
+  let cases name = List.concat_map (fun (n, cases) -> if n = name then cases else []) groups in
+  List.map (fun name -> (name, cases name)) names
 
-let run suites = if List.mem false (List.map passes suites) then exit 1
+let run suites =
+  let groups = List.concat_map snd suites in
+  Alcotest.run (Filename.basename (Sys.getcwd ())) (joined groups)

@@ -205,10 +205,11 @@ def main():
         sys.exit(3)
     import pages
     import scenes
+    import walk
     told(models, scc, int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     b = browser.Browser()
     try:
-        for part in pages.PARTS + scenes.PARTS:
+        for part in pages.PARTS + scenes.PARTS + walk.PARTS:
             told(part, b, scc)
     finally:
         b.quit()

@@ -160,32 +160,48 @@ def offering(b):
     b.js('desk.set(desk.text() + "\\nprocess other = ")')
     b.go(len(b.text_of().encode('utf-16-le')) // 2)
     listed = 'return [...document.querySelectorAll("#offers:not([hidden]) .offer-name")].map((e) => e.textContent)'
+    shown = 'return !document.getElementById("offers").hidden'
     b.keys('C')
     same('nothing is listed by itself', b.js(listed), [])
     b.keys(Keys.BACKSPACE)
     b.chord([Keys.CONTROL], ' ')
+    check('something is listed', b.wait(shown))
     check('shapes', 'Cube' in b.js(listed), b.js(listed))
     check('readers hear of them', b.said(' of '))
     b.keys('Cu')
-    same('it follows what is typed', b.js(listed), ['Cube'])
+    check('it follows what is typed', b.wait(listed + '.join() === "Cube"'), b.js(listed))
     b.keys(Keys.ENTER)
     check('what is chosen is written', b.text_of().endswith('\nprocess other = Cube'), b.text_of()[-40:])
     same('then nothing is listed', b.js(listed), [])
-    b.keys(' ma')
+    b.keys(' mas')
     b.chord([Keys.CONTROL], ' ')
-    check('what fits alone is written at once', b.text_of().endswith('= Cube mass'), b.text_of()[-40:])
+    check('what fits alone is written at once', b.wait('return desk.text().endsWith("= Cube mass")'), b.text_of()[-40:])
     b.keys(' 1 [')
     b.chord([Keys.CONTROL], ' ')
+    check('behaviours are listed', b.wait(shown))
     names = b.js(listed)
     b.keys(Keys.ARROW_DOWN, Keys.TAB)
     check('arrows choose', b.text_of().endswith('[' + names[1]), b.text_of()[-40:])
     b.chord([Keys.CONTROL], ' ')
+    b.wait(shown)
     b.keys(Keys.ESCAPE)
     same('Escape ends it', b.js(listed), [])
     b.keys('\n')
     b.chord([Keys.CONTROL], ' ')
+    check('all that can begin here', b.wait(shown))
     b.all('#offers .offer')[0].click()
     same('the mouse chooses', b.js(listed), [])
+    b.js('desk.set(arguments[0])', text)
+    b.is_read()
+
+
+def mending(b):
+    """A name that is spelt wrongly is mended by the button beside the hint."""
+    text = b.text_of()
+    b.js('desk.set(desk.text() + "\\nprocess spelt = Kube mass 1 at translate (90, 0, 0) [nil]\\n")')
+    check('there is a button', b.wait('return document.querySelector("[data-testid=fix]") !== null'))
+    b.all('[data-testid=fix]')[0].click()
+    check('the name is mended', b.wait('return desk.text().includes("process spelt = Cube mass 1")'), b.text_of()[-90:])
     b.js('desk.set(arguments[0])', text)
     b.is_read()
 
@@ -662,7 +678,7 @@ def main(scc, folder):
     b = Desk(flags=browser.WITHOUT_SCENES)
     try:
         b.begin(scc, folder, 'docking.sc')
-        for part in [words, typing, naming, offering, late]:
+        for part in [words, typing, naming, offering, mending, late]:
             timed(part, b)
         timed(formatting, b, scc)
         for part in [saving, checking, overtaking, whole, reloading, tabs, by_keys, sizes, offline, ended]:

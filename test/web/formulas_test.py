@@ -14,7 +14,7 @@ from fractions import Fraction
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MODELS = ['hexokinase', 'ruin', 'docking', 'enzyme', 'billiard', 'glycolysis', 'pocket', 'gears']
+MODELS = ['hexokinase', 'ruin', 'docking', 'enzyme', 'billiard', 'glycolysis', 'pocket', 'gears', 'tumble', 'tumbling', 'capsid']
 # An irrational instant has a rational beside it, within 10^-12.
 NEAR = Fraction(1, 10**9)
 
@@ -30,7 +30,9 @@ class Random:
         named = {one['channel'] for b in data['behaviours'] for one in b['open']}
         self.channels = sorted(named | {bond['name'] for p in data['processes'] for bond in p['bonds']})
         self.parameters = sorted(data['parameters'])
-        self.spins = any('turn' in process for process in data['processes'])
+        # What quantifiers range over: templates, and families by the names of their members.
+        families = {name.split('[')[0] for name in self.leaves if name.endswith(']')}
+        self.over = self.templates + sorted(families) + self.leaves[:2]
         self.bound = []
 
     def atoms(self):
@@ -42,7 +44,14 @@ class Random:
         yield from (f'offers({leaf}, {co}{channel})' for leaf in some for co in ['', '~'] for channel in self.channels[:3])
         yield from (f'bonds({channel}, {p}, {q})' for channel in self.channels[:2] for p in some[:2] for q in some[:3])
         yield from (f'behaviour({leaf}) {op} {name}' for leaf in some for op in ['=', '!='] for name in self.origins[:4])
-        yield from ['processes', 'time', 'momentum.x', 'momentum.z', 'bonds()', 'quiescent', *([] if self.spins else ['energy'])]
+        yield from ['processes', 'time', 'momentum.x', 'momentum.z', 'bonds()', 'quiescent', 'energy', 'angular.x', 'angular.y', 'angular.z']
+        yield from (f'count(q in {over} : {what})' for over in self.over for what in ['x(q) > 0', 'gone(q)', 'speed2(q) > 1/2'])
+        yield from (f'{what} q in {over} : not gone(q) and x(q) <= 1e2' for over in self.over for what in ['forall', 'exists'])
+        yield from ['1e-3 + 2^-7', '1.5E2 - 12e+1', 'floor(-7/2) + ceil(5/3)', '-7 mod 3 + mod(9, 4)', 'round(-5/2, 1)', 'sign(-1e-9)',
+                    'dot((1, 2, 3), (4, 5, 6))', 'cross((1, 0, 0), (0, 1, 0)).z', '(1, 2, 3) = (1, 2, 3)', '-(1, 2, 3).z']
+        # What is refused.
+        yield from ['(1, 2, 3)', 'dot(1, 2)', 'floor(time)', '(1, 2, 3) < (1, 2, 3)', '(time).x', 'min()', 'abs(1, 2)', '2^3', '1 + (1, 2, 3)',
+                    '(1, 2, 3).w', 'true + 1', 'if true then 1 else (1, 2, 3)', 'mod(1)', 'dot((1, 2, 3))', 'cross((1, 2, 3), 1).x']
 
     def leaf(self):
         return self.chance.choice(self.bound or self.leaves) if self.chance.random() < 0.5 else self.chance.choice(self.leaves)
@@ -60,14 +69,13 @@ class Random:
             if kind == 4:
                 return f'distance2({leaf()}, {leaf()})'
             if kind == 5:
-                names = ['processes', 'time', 'momentum.x', 'momentum.y', 'bonds()'] + ([] if self.spins else ['energy'])
-                return pick.choice(names)
+                return pick.choice(['processes', 'time', 'momentum.x', 'momentum.y', 'bonds()', 'energy', 'angular.x', 'angular.z'])
             if kind == 6 and self.channels:
                 channel = pick.choice(self.channels)
                 return pick.choice([f'bonds({channel})', f'bonds({channel}, {leaf()}, {leaf()})'])
             return self.constant()
         a, b = self.number(depth - 1), self.number(depth - 1)
-        kind = pick.randrange(9)
+        kind = pick.randrange(10)
         if kind < 4:
             return f'({a} {"+-*/"[kind]} {b})'
         if kind == 4:
@@ -76,11 +84,30 @@ class Random:
             return f'(if {self.truth(depth - 1)} then {a} else {b})'
         if kind == 6:
             return '(' + self.each('count') + ')' if self.templates else f'-({a})'
+        if kind == 7:
+            return pick.choice([f'dot({self.vector(depth - 1)}, {self.vector(0)})', f'{self.vector(depth)}.{pick.choice("xyz")}'])
         return f'{a} - {b} * 2'
+
+    def vector(self, depth):
+        """A vector within brackets, or a call."""
+        pick = self.chance
+        kind = pick.randrange(5) if depth > 0 else 0
+        if kind == 0:
+            leaf = self.leaf()
+            return pick.choice([f'(x({leaf}), y({leaf}), z({leaf}))', f'(vx({leaf}), vy({leaf}), {self.constant()})',
+                                f'({self.number(0)}, 1e-1, {self.number(0)})'])
+        a, b = self.vector(depth - 1), self.vector(depth - 1)
+        if kind == 1:
+            return f'cross({a}, {b})'
+        if kind == 2:
+            return f'({a} {pick.choice("+-")} {b})'
+        if kind == 3:
+            return f'({self.number(0)} * {a})'
+        return f'(if {self.truth(0)} then {a} else {b} / 3)'
 
     def each(self, what):
         variable = f'v{len(self.bound)}'
-        over = self.chance.choice(self.templates)
+        over = self.chance.choice(self.over)
         self.bound.append(variable)
         body = self.truth(0)
         self.bound.pop()
@@ -110,6 +137,8 @@ class Random:
             return f'not {a} and {b}'
         if kind == 4 and self.templates:
             return self.each(pick.choice(['forall', 'exists']))
+        if kind == 5 and pick.randrange(3) == 0:
+            return f'{self.vector(depth - 1)} {pick.choice(["=", "!="])} {self.vector(0)}'
         return f'{self.number(depth)} {pick.choice(["<", ">=", "="])} {self.number(depth - 1)}'
 
 
@@ -137,7 +166,7 @@ def model(scc, work, name, chance, cases):
     """What differs, in words; and how many values are the same."""
     path = ROOT / 'specs/models' / f'{name}.sc'
     file = work / f'{name}.json'
-    ended = subprocess.run([scc, 'view', str(path), '--data', '-o', str(file), '--graph', '50', '--seconds', '20'], capture_output=True, text=True)
+    ended = subprocess.run([scc, 'view', str(path), '--data', '-o', str(file), '--graph', '50', '--seconds', '60'], capture_output=True, text=True)
     if ended.returncode not in (0, 1, 2):
         return [ended.stderr], 0
     data = json.loads(file.read_text())

@@ -104,6 +104,14 @@ def graphs(b, scc):
     b.find('graph-labels').click()
     words = b.js('return [...document.querySelectorAll(".edge-text")].map((text) => text.textContent)')
     check('and what happens there, on demand', any('walker draws' in text for text in words), words)
+    meet = b.js('''
+      const all = [...document.querySelectorAll(".edge-text, .node circle")].map((one) => one.getBoundingClientRect());
+      const words = [...document.querySelectorAll(".edge-text")].length;
+      return all.slice(0, words).filter((a, i) => all.some((b, k) => k > i &&
+        a.left + 2 < b.right && b.left + 2 < a.right && a.top + 3 < b.bottom && b.top + 3 < a.bottom)).length;''')
+    same('words do not cover each other', meet, 0)
+    note = b.text('graph-note')
+    check('why scc check counts otherwise is told', note.startswith('All 18 states') and 'scc check counts' in note, note)
     b.find('graph-legend').click()
     legend = b.js('return document.querySelector(".graph-legend").textContent')
     check('a legend', 'a draw by chance' in legend and 'an absorption' in legend and 'a bond' not in legend, legend)
@@ -131,6 +139,16 @@ def graphs(b, scc):
     check('they are laid out beside the page', b.js('return document.querySelector("[data-testid=graph-waiting]") !== null'))
     check('as a map', b.wait('return document.querySelector("[data-testid=graph-map]") !== null'))
     check('on which the page goes on meanwhile', b.js('return window.ticks') > 3)
+    wide = b.wait('''
+      const box = document.querySelector("[data-testid=graph-map]"), canvas = box.querySelector("canvas");
+      const copy = document.createElement("canvas");
+      [copy.width, copy.height] = [canvas.width, canvas.height];
+      const pen = copy.getContext("2d");
+      pen.drawImage(canvas, 0, 0);
+      const { data } = pen.getImageData(0, 0, copy.width, copy.height), seen = [];
+      for (let i = 3; i < data.length; i += 4) if (data[i] > 200) seen.push(((i - 3) / 4) % copy.width);
+      return (Math.max(...new Set(seen)) - Math.min(...[...new Set(seen)].filter((x) => x > 16))) / copy.width;''')
+    check('the map takes the width of the panel', wide > 0.8, wide)
     b.js('document.querySelector("[data-testid=graph-map]").focus()')
     b.keys(Keys.ARROW_DOWN, Keys.ENTER)
     check('a state of the map', b.state()['state'] != 0, b.state()['state'])
@@ -177,6 +195,31 @@ def events(b, scc):
     same('a pinned event', b.state()['legs'], at)
     b.find('pins').find_element('css selector', '.pin-button').click()
     check('it is pinned no more', not b.find('pins').is_displayed())
+    # By bodies, also those that nothing happens to.
+    b.open(scc.view('specs/models/enzyme.sc'))
+    data = b.js('return scc.data')
+    run = next(r for r in data['runs'] if r['name'] == b.state()['run'])
+    of = [set(data['labels'][step['label']]['leaves']) for step in run['steps']]
+    names = [leaf['name'] for leaf in data['leaves']]
+    groups = b.js("""return [...document.querySelectorAll("[data-testid=events-body] optgroup")].map((group) =>
+      [...group.children].map((option) => option.textContent))""")
+    active = [k for k in range(len(names)) if any(k in one for one in of)]
+    idle = [k for k in range(len(names)) if k not in active]
+    same('bodies with events, and others', groups, [[names[k] for k in all_] for all_ in (active, idle) if all_])
+    b.pick('events-body', str(active[0]))
+    shown = b.js(rows)
+    same('the events of a body', shown, [k + 1 for k, one in enumerate(of) if active[0] in one][:len(shown)])
+    check('a body without events is there', idle)
+    b.pick('events-body', str(idle[0]))
+    empty = b.js('return document.querySelector("#events .empty:not([hidden])").textContent')
+    same('one without any', empty, f'{names[idle[0]]} takes part in no event of this run.')
+    same('it is selected', b.js('return new URLSearchParams(scc.link()).get("select")'), str(idle[0]))
+    b.find('tab-details').click()
+    check('and its place is told', 'position' in b.text('selected'), b.text('selected'))
+    b.all(f'[data-testid="bodies-list"] [data-index="{active[0]}"]')[0].click()
+    b.find('its-events').click()
+    same('from a body to its events', b.js(rows), shown)
+    b.pick('events-body', '')
     # Long times.
     long = scc.file('.sc')
     with open(long, 'w', encoding='utf-8') as f:
@@ -390,7 +433,9 @@ def starts(b, scc):
     b.open(scc.view('specs/models/meeting.sc'))
     same('all tabs are in one row', len(set(b.js('return [...document.querySelectorAll("#tabs button")].map((t) => t.offsetTop)'))), 1)
     b.find('tab-where').click()
-    b.find('where').click()
+    b.js("""
+      const box = document.querySelectorAll('[data-testid=where] .sample')[40].getBoundingClientRect();
+      document.querySelector('[data-testid=where]').dispatchEvent(new MouseEvent('click', { clientX: box.left + box.width / 2, clientY: box.top + box.height / 2 }));""")
     run = b.js('return document.querySelector("[data-testid=where] .sample.here").dataset.run')
     first = b.state()
     b.js('document.querySelector("[data-testid=where]").focus()')
@@ -420,6 +465,62 @@ def starts(b, scc):
       return document.querySelector('[data-testid=where-told]').textContent;""", 3)
     sample = where['samples'][3]['at']
     check('the start under the pointer is named', all(f'{name} = ' in told for name in sample), told)
+    any_start(b, scc)
+
+
+CLEFT = """model cleft
+timestep 1 steady
+import <solids>
+param d in [0, 3]
+param h in [0, 2]
+behaviour Site   on solids.Cube(2) = <site, {top}>. nil
+behaviour Ligand on solids.Cube(2) = <~site, {bottom}>. nil
+fixed membrane   = box(24, 4, 2) at translate (0, 0, -5/2)
+fixed receptor   = solids.Cube(2) scaled (1, 1, 1/4) at translate (0, 0, -5/4) [Site]
+process ligand   = solids.Cube(2) mass 1 at translate (d, 0, 1/2 + h) [Ligand]
+motion ligand    = choose { (1, 0, 0), (-1, 0, 0), (0, 0, 1), (0, 0, -1) }
+check binds  : P = ? [ eventually bound(ligand, receptor) within 2 ]
+check likely : P >= 1/8 [ eventually bound(ligand, receptor) within 2 ]
+"""
+
+
+def any_start(b, scc):
+    """What is so at any start, on borders as well, is what `scc check` says of that start alone."""
+    model = scc.file('.sc')
+    with open(model, 'w') as f:
+        f.write(CLEFT)
+    b.open(scc.view(model))
+    b.find('tab-where').click()
+    # Corners and borders of the regions, and starts within them.
+    for d, h in [('0', '1/2'), ('5/2', '1/2'), ('1', '0'), ('2', '1'), ('3', '0.25'), ('1.3', '3/2'), ('7/3', '13/10'), ('3', '2')]:
+        for k, text in enumerate([d, h]):
+            b.find(f'where-start-{k}').clear()
+            b.find(f'where-start-{k}').send_keys(text, *([Keys.ENTER] if k else []))
+        verdicts = b.js('return [...document.querySelectorAll("[data-testid=where-verdicts] .judged li")].map((li) => li.textContent)')
+        ended = scc.run('check', model, '-D', f'd={d}', '-D', f'h={h}', '--json')
+        one = {p['name']: p for p in json.loads(ended.stdout)['properties']}
+        value = re.search(r'^binds: (\S+?),?( |$)', scc.run('check', model, '-D', f'd={d}', '-D', f'h={h}').stdout, re.M)[1]
+        expected = {'likely': {'holds': 'holds', 'violated': 'fails'}[one['likely']['verdict']], 'binds': value}
+        found = {line.split(': ')[0]: line.split(': ')[1].split(' ')[0] for line in verdicts}
+        same(f'what is so at d = {d}, h = {h}', found, expected)
+    b.pick('where-check', '1')
+    colours = b.js('return [...new Set([...document.querySelectorAll("svg.where .area")].map((area) => getComputedStyle(area).fill))]')
+    told = b.js('return [...document.querySelectorAll("[data-testid=where-values] li")].map((li) => li.textContent.split(" ")[0])')
+    same('each value has a colour and a place in the legend', (len(colours), told), (4, ['0', '1/16', '5/64', '5/16', '3/8']))
+    for text, words in [('4', 'd is from 0 to 3'), ('x', 'is no number')]:
+        b.find('where-start-0').clear()
+        b.find('where-start-0').send_keys(text, Keys.ENTER)
+        check(f'{text} is refused', words in b.text('where-wrong') and b.find('where-wrong').is_displayed(), b.text('where-wrong'))
+    b.js("""
+      const svg = document.querySelector('[data-testid=where]'), box = svg.getBoundingClientRect(), scale = box.width / svg.viewBox.baseVal.width;
+      svg.dispatchEvent(new MouseEvent('click', { clientX: box.left + (58 + 248 * 0.8) * scale, clientY: box.top + (8 + 248 * 0.55) * scale }));""")
+    check('any place can be clicked', b.js('return document.querySelector("svg.where .cross").getAttribute("visibility")') == 'visible')
+    command = b.text('where-command')
+    check('and how to see the run from there is told', ' -D d=' in command and ' -D h=' in command, command)
+    before = b.state()['bodies']
+    b.find('where-nearest').click()
+    check('the nearest run is shown', b.state()['bodies'] != before)
+    same('the console is told nothing', b.complaints(), [])
 
 
 def onwards(b, scc):
@@ -560,7 +661,36 @@ def links(b, scc):
     b.open(page, link)
     same('an address', b.state(), state)
     check('the selection of an address', 'glucose' in b.text('selected'))
-    for wrong in ['run=99', 'run=0&step=1e9&time=1/0', 'run=0&way=1.2.3.4.5', 'time=%E0%A4%A', 'camera=%7B',
+    b.open(scc.view('specs/models/hexokinase.sc'))
+    for name in ['names', 'trails', 'grid', 'graph-switch', 'plots-phase', 'graph-labels', 'graph-fold']:
+        b.find(name).click()
+    b.pick('graph-show', 'near')
+    b.pick('graph-steps', '2')
+    b.find('graph-search').send_keys('bonds() > 0', Keys.ENTER)
+    for text in ['x(atp)', 'bonds() + 1']:
+        b.find('plot-input').send_keys(text, Keys.ENTER)
+    b.find('plots-choose').click()
+    b.js('[...document.querySelectorAll(".plot-menu input")][0].click()')
+    link = b.js('return scc.link()')
+    sight = """return [["names", "trails", "grid", "marks", "graph-switch", "graph-labels", "graph-fold", "plots-phase"].map((name) =>
+        document.querySelector(`[data-testid="${name}"]`).getAttribute("aria-pressed")),
+      ["graph-show", "graph-steps", "graph-search"].map((name) => document.querySelector(`[data-testid="${name}"]`).value),
+      scc.plots().map((plot) => plot.text), document.querySelectorAll(".chart.phase").length,
+      document.querySelector("[data-testid=graph-found]").textContent]"""
+    b.wait('return document.querySelector("[data-testid=graph-found]").textContent !== ""')
+    seen = b.js(sight)
+    same('what is switched', seen[:2], [['true', 'true', 'false', 'true', 'true', 'true', seen[0][6], 'true'], ['near', '2', 'bonds() > 0']])
+    b.open(b.shown, link)
+    b.wait('return document.querySelector("[data-testid=graph-found]").textContent !== ""')
+    same('an address has what is switched, the plots and the graph', b.js(sight), seen)
+    same('and is the same again', b.js('return scc.link()'), link)
+    check('nothing of it is told to be wrong', not b.find('notice').is_displayed(), b.text('notice'))
+    b.js('for (let k = 0; k < 12; k++) { const box = document.querySelector("[data-testid=plot-input]"); '
+         'box.value = "1" + " + 1".repeat(900 + k); box.form.requestSubmit(); }')
+    check('an address has a bounded size', len(b.js('return scc.link()')) <= 16000, len(b.js('return scc.link()')))
+    page = scc.view(HEXOKINASE)
+    for wrong in ['switched=constructor', 'switched=names.names.__proto__', 'numbers=99', 'numbers=0.x', 'against=2', 'graph=all.open.100',
+                  'graph=toString', 'plot=' + 'x' * 5000, 'find=' + '%28' * 5000, 'run=99', 'run=0&step=1e9&time=1/0', 'run=0&way=1.2.3.4.5', 'time=%E0%A4%A', 'camera=%7B',
                   'select=7777', 'select=__proto__', 'run=0&way=99999999999999999999.0', '%', 'x' * 5000]:
         b.open(page, wrong)
         same(f'a wrong address, {wrong[:40]}', b.complaints(), [])
@@ -625,7 +755,8 @@ def upright(b, scc):
     look = b.js('return scc.look()')
     same('and the floor', (look['up'], look['floor']), ('z', floor))
     b.find('names').click()
-    same('another button changes neither', (b.js('return scc.look().up'), b.js('return scc.link()')), ('z', link))
+    same('another button changes neither', (b.js('return scc.look().up'), b.js('return scc.link()').replace('&switched=names', '')),
+         ('z', link))
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -681,6 +812,61 @@ def framed(b, scc):
     check('a key moves it', mine != moved, mine)
     sized(1400, 900)
     same('then it stays', camera_of(b), mine)
+    same('the console is told nothing', b.complaints(), [])
+
+
+LEGEND = """import <solids>
+for i in 1..14 { process cube[i] = solids.Cube(1) mass 1 at translate (-3 + 2*i, 10 - i/2, 0) velocity (0, 0, i) [nil] }
+process a_body_with_a_rather_long_name_indeed = solids.Cube(2) mass 1 at translate (-4, 9, 0) velocity (0, 0, 0) [nil]
+"""
+
+
+def legend(b, scc):
+    """The legend is where it covers no body, if there is such a corner; and it can be left out."""
+    model = scc.file('.sc')
+    with open(model, 'w') as f:
+        f.write(LEGEND)
+    page = scc.view(model)
+    corners = set()
+    for size in [(1400, 900), (700, 900), (1100, 500)]:
+        b.size(*size)
+        b.open(page)
+        for up in range(3):
+            found = b.js("""
+              scc.sight([0, 0, 0]);
+              const { legend, box: [left, top, right, bottom] } = scc.look(), covered = (at) => left < at[0] && at[0] < right && top < at[1] && at[1] < bottom;
+              return [legend, Object.values(scc.floats()).filter((p) => covered(scc.sight(p).at)).length];""")
+            corners.add(found[0])
+            same(f'no body is below the legend, {size}, {up}', found[1], 0)
+            b.find('up').click()
+            b.js('return new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 500))')
+    check('it is not always in one corner', len(corners) > 1, corners)
+    b.size(1400, 900)
+    b.open(page)
+    seen = b.js('return document.querySelectorAll("#scene canvas")[1].toDataURL()')
+    b.find('legend').click()
+    b.js('scc.sight([0, 0, 0])')
+    check('it can be left out', b.js('return document.querySelectorAll("#scene canvas")[1].toDataURL()') != seen)
+    check('a link keeps that', 'switched=legend' in b.js('return scc.link()'))
+    same('the console is told nothing', b.complaints(), [])
+
+
+def keys_after_menus(b, scc):
+    """Keys work on the page after one has chosen from a list with the pointer, and after Escape in a field."""
+    b.open(scc.view(HEXOKINASE))
+    b.js('scc.go(0)')
+    box = b.find('events-kind')
+    b.js('arguments[0].dispatchEvent(new PointerEvent("pointerdown", { bubbles: true })); arguments[0].focus()', box)
+    b.pick('events-kind', 'all')
+    b.keys(Keys.ARROW_RIGHT)
+    same('an arrow goes on in the run', (b.state()['legs'], box.get_property('value')), (1, 'all'))
+    b.js('arguments[0].focus()', box)
+    b.keys(Keys.ARROW_DOWN)
+    same('with keys one stays in the list', b.js('return document.activeElement.dataset.testid'), 'events-kind')
+    b.keys(Keys.ESCAPE)
+    b.find('plot-input').send_keys('x')
+    b.keys(Keys.ESCAPE, Keys.HOME)
+    same('after Escape in a field', b.state()['legs'], 0)
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -821,6 +1007,15 @@ def large(b, scc):
     b.keys(Keys.END)
     same('the end of it', b.state()['legs'], 10000)
     check('the last row is there', b.all('[data-testid="events-list"] [data-index="10000"][aria-selected="true"]'))
+    # What is about all bodies is evaluated piece by piece.
+    b.js('window.ticks = 0; setInterval(() => { window.ticks += 1; }, 1)')
+    b.find('plot-input').send_keys('bonds() + 3', Keys.ENTER)
+    check('a number about all bodies is on its way', b.js('return scc.busy()'))
+    check('it is drawn', b.wait('return !scc.busy() && document.querySelectorAll(".plot .plot-line").length > 1'))
+    check('the page goes on meanwhile', b.js('return window.ticks') > 20, b.js('return window.ticks'))
+    same('its value', b.js('return scc.plots()[scc.plots().length - 1].value'), '3')
+    rows = b.js('return [...document.querySelectorAll(".plot .plot-line")].pop().getAttribute("d")')
+    check('along the whole run', len(set(re.findall(r'[ML][0-9.]+ ([0-9.]+)', rows))) == 1 and len(rows) > 1000, rows[:200])
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -858,4 +1053,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, legend, keys_after_menus, hostile, far_away, motion, lost_context, no_states_beyond, large]

@@ -1,7 +1,9 @@
 "use strict";
 
+/** @typedef {{name: string, kind: string, form: string | null}} Offer */
+
 /**
- * A list, below the cursor, of what can be written there. It is asked for by a key, and follows what is typed until something
+ * A list, below the cursor, of what can be written there, as the server finds it. It is asked for by a key, and follows what is typed until something
  * is chosen, or nothing fits any more.
  */
 const Complete = (() => {
@@ -16,6 +18,8 @@ const Complete = (() => {
   let chosen = 0;
   /** Whether what is chosen is being written. */
   let writing = false;
+  /** Of the questions to the server: an answer to an earlier one is not shown. */
+  let questions = 0;
 
   /** @param {Writing} of */
   function start(of) {
@@ -33,6 +37,7 @@ const Complete = (() => {
   }
 
   function close() {
+    questions += 1;
     list.hidden = true;
   }
 
@@ -42,17 +47,21 @@ const Complete = (() => {
   }
 
   /** @param {boolean} asked */
-  function show(asked) {
-    const at = editor.cursor(), found = Offers.at(editor.text(), at);
-    const place = editor.place(found.from);
-    const done = found.all.length === 1 && found.all[0].name.length === at - found.from;
-    if (found.all.length === 0 || !place || (done && !asked)) {
+  async function show(asked) {
+    questions += 1;
+    const mine = questions, text = editor.text(), at = editor.cursor();
+    const answer = await Server.ask("text.complete", { text: Source.outer(text), offset: Source.offset(text, at) });
+    if (mine !== questions || editor.text() !== text || editor.cursor() !== at) return;
+    const found = "result" in answer ? answer.result : { from: Source.offset(text, at), offers: [] };
+    from = Source.places(text, [found.from])[0];
+    const place = editor.place(from);
+    const done = found.offers.length === 1 && found.offers[0].name.length === at - from;
+    if (found.offers.length === 0 || !place || (done && !asked)) {
       close();
       if (asked) Notices.say("Nothing is known that fits here.");
       return;
     }
-    offered = found.all.slice(0, most);
-    from = found.from;
+    offered = found.offers.slice(0, most);
     chosen = 0;
     if (asked && offered.length === 1 && at > from) return take(0);
     Hover.close();
@@ -66,7 +75,7 @@ const Complete = (() => {
   function row(offer, k) {
     return Dom.make("div", { class: "offer", role: "option", mousedown: (/** @type {Event} */ event) => { event.preventDefault(); take(k); } }, [
       Dom.make("bdi", { class: "offer-name", text: Dom.clip(offer.name, 80) }),
-      Dom.make("span", { class: "quiet", text: offer.kind }),
+      Dom.make("span", { class: "quiet", text: offer.form || offer.kind }),
     ]);
   }
 
@@ -96,11 +105,11 @@ const Complete = (() => {
 
   /** @param {number} k */
   function take(k) {
-    const text = editor.text(), at = editor.cursor(), { put } = offered[k];
+    const text = editor.text(), at = editor.cursor(), { name } = offered[k];
     close();
     writing = true;
-    editor.replace(text.slice(0, from) + put + text.slice(at));
-    editor.go(from + put.length, from + put.length);
+    editor.replace(text.slice(0, from) + name + text.slice(at));
+    editor.go(from + name.length, from + name.length);
     writing = false;
   }
 

@@ -139,9 +139,35 @@ const Problems = (() => {
         ]),
         ...notes,
         d.hint ? Dom.make("div", { class: "hint", dir: "auto", text: `Hint: ${Dom.clip(d.hint, 2000)}` }) : null,
+        here && fixable(d) ? Dom.make("button", { class: "fix", type: "button", test: "fix", text: "Fix", click: (/** @type {Event} */ event) => { event.stopPropagation(); fix(d); } }) : null,
       ]),
       d.place && Dom.make("bdi", { class: "quiet where", text: here ? at : `${Dom.clip(d.place.file, 40)}:${at}` }),
     ]);
+  }
+
+  /**
+   * Whether the server may know a change that mends it: hints of names, signs that are missing, what is not used.
+   * @param {Diagnostic} d
+   */
+  const fixable = (d) => d.code === "SC0211" || d.code === "SC0113" || /^did you mean |`\*`|is one word$/.test(d.hint || "");
+
+  /** @param {Diagnostic} d */
+  async function fix(d) {
+    const text = editor.text();
+    const answer = await Server.ask("text.fixes", { text: Source.outer(text) });
+    if (editor.text() !== text || d.place === null) return;
+    const start = d.place.start.offset;
+    const fixes = "result" in answer ? answer.result.fixes : [];
+    const one = fixes.find((/** @type {{code: string, start: number}} */ f) => f.code === d.code && f.start === start);
+    if (!one) return Notices.say("No change is known that mends this.");
+    const { edits } = /** @type {{edits: {start: number, stop: number, text: string}[]}} */ (one);
+    let fresh = text;
+    for (const edit of [...edits].sort((a, b) => b.start - a.start)) {
+      const [from, to] = Source.places(text, [edit.start, edit.stop]);
+      fresh = fresh.slice(0, from) + edit.text + fresh.slice(to);
+    }
+    editor.replace(fresh);
+    Notices.say(`Done: ${one.title}.`);
   }
 
   function count() {

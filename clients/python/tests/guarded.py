@@ -77,7 +77,7 @@ def main(way, *numbers):
         if way != "verdict":
             os._exit(1)  # nothing after a verdict changes it
 
-    _guard.PATIENCE = 0.3
+    _guard.PATIENCE = _guard.SOON = 0.3
     return _guard.run(_guard.Program("guarded", work, ending, "the work is lost", "; go on"))
 
 

@@ -1,6 +1,7 @@
 """Sets of parameters. The first are written by hand, as the schema says; the expected values are found by hand."""
 
 import json
+import math
 import os
 import subprocess
 import tempfile
@@ -149,6 +150,22 @@ class Answers(WithOracle):
             self.oracle.check(RANGED, parameters={"y": (0, 6)})
         with self.assertRaises(ModelRefused):
             self.oracle.load_model(RANGED)
+
+    def test_numbers_by_start(self):
+        asked = "check far : E = ? [ x(p) + y at 1 ]\ncheck bound : E = ? [ time U bound(p, q) ]\n"
+        found = self.oracle.check(RANGED + asked, where=True)
+        far, bound = (found[name].starts["greatest"] for name in ("far", "bound"))
+        self.assertEqual((far.low, far.high, far.mean), (-3, 7, (Fraction(2), Fraction(2))))
+        self.assertEqual(far.at({"y": Fraction(1, 3), "z": 0}), (Fraction(7, 3), Fraction(7, 3)))
+        self.assertEqual((bound.low, bound.high, bound.mean), (Fraction(5, 2), None, (math.inf, math.inf)))
+        self.assertEqual(bound.at((0, 0)), (Fraction(5, 2), Fraction(5, 2)))
+        self.assertEqual(bound.at((3, 0)), (math.inf, math.inf))
+        self.assertEqual({part.low_form is None for part in far.parts + bound.parts}, {True, False})
+        with self.assertRaises(ValueError):
+            far.at((6, 0))
+        with self.assertRaises(ValueError):
+            self.oracle.check(RANGED + asked)["far"].starts["least"].at((0, 0))
+        self.assertEqual(found["meets"].starts, {})
 
     def test_starts(self):
         simple = self.oracle.load_model(RANGED, start="simple")

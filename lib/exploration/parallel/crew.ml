@@ -1,12 +1,9 @@
 open Scc_base
+open Scc_data
 open Scc_codec
 open Scc_graph_search
 
 type start = At_once | When_it_pays
-
-(* A request of no more bytes than this, with those that are under way, does not fill the channel: then nobody
-   waits for anybody who waits. *)
-let most_bytes = 48 * 1024
 
 (* Others are called in after so many seconds, and while there are so few states: a process that is forked keeps
    what its parent has had, and what the parent writes to comes to be there twice. *)
@@ -16,285 +13,294 @@ let few = 1 lsl 19
 (* So often is a process replaced that has died; what is left is found here. *)
 let most_deaths = 20
 
-module States = Hashtbl.Make (struct
-    type t = int
+(* Requests of a worker whose answers are not all used yet, and those under way: the next one is there before it has
+   answered one. *)
+let slots_of_worker = 8
+let most_under_way = 4
 
-    let equal = Int.equal
-    let hash = Fun.id
-  end)
+(* Of what this process finds ahead. *)
+let own_slots = 16
+let slot_length = 1 lsl 14
 
-module Make
-    (L : Lts.S)
-    (E : Lts.Exchange with type context = L.context)
-    (Graph : module type of Explore.Make (L)) = struct
-  module Served = Served.Make (L) (E)
-  module Wire = Served.Wire
+(* Of so many answers one after the other, a power of two, what they ask for is fetched at once. *)
+let fetched_at_once = 16
 
-  (** {2 This process} *)
+(* After so many states this process looks whether others have answered. *)
+let between_looks = 16
 
-  (* The answers of a reply are read when it is the turn of their states: then they are short-lived. *)
-  type request = {
-    worker : worker;
-    bytes : int;
-    mutable unread : int list;  (** its states whose answers have not been read, in order *)
-    mutable reply : Packed.source option;
-  }
+(* And after so many, how much memory is shared. *)
+let between_sizes = 1 lsl 12
 
-  and worker = {
-    number : int;
+module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
+  module Service = Served.Make (L) (Graph)
+
+  type worker = {
     channel : Channel.t;
-    there : Wire.t;
-    back : Wire.t;
-    under_way : request Queue.t;
-    replies : request Queue.t;  (** the answered ones, in order *)
+    bells : Served.bells;
+    slots : Served.slot array;
+    live : request Queue.t;  (** those that have a slot, in order *)
+    mutable beyond : int;  (** the number of the next request; it has the slot of this number, by turns *)
+    mutable under_way : request list;  (** in order *)
     mutable words : int;  (** of memory that it takes, as it last told *)
-    mutable owing : int;  (** states that it has been told of, and whose answers have not been read *)
-    mutable place : int;  (** of the next of its answers that is read *)
-    mutable room : int;  (** of the last one *)
   }
 
-  (* What another process has told of the state that is expanded: the steps that were taken, and the places of the
-     answer and of the first of them. *)
-  type source = { from : worker; answer : int; first : int; steps : Lts.step list }
+  and request = {
+    worker : worker option;  (** [None]: it is this process *)
+    slot : Served.slot;
+    states : int array;  (** increasing *)
+    mutable answered : int;  (** the first ones; -1 while it is under way *)
+    mutable next : int;  (** of those before it, the answers are of no use any more *)
+  }
 
   type t = {
-    graph : Graph.t;
+    shared : Service.shared;
     balance : Balance.t;
+    jobs : int;
     waits : int -> bool;
-    mutable now : int;  (** the state that is expanded *)
-    mutable next : int;  (** the first that has not been looked at: whether it is found here or not *)
-    ready : int Queue.t;  (** those that are not, and have not been sent *)
-    sent : request States.t;  (** of states that have not had their turn *)
-    early : (Served.answer * int) States.t;
-    (** with their places, those that had to be read before the turn of their states *)
-    origins : Origins.t;
-    mutable source : source option;
-    mutable known : int;  (** states, before this one was expanded *)
+    requests : request Queue.t;  (** whose answers may be of use, in the order of their states *)
+    mutable own_slots : Served.slot list;  (** those of no request *)
+    mutable now : int;  (** the state whose turn it is *)
+    mutable unasked : int;  (** the first state that is in no request so far *)
     mutable workers : worker list;
-    mutable made : int;  (** workers, so far *)
     mutable deaths : int;
   }
 
-  let width c = L.width (Graph.context c.graph)
   let told c = Memory.set_beside (List.fold_left (fun n w -> n + Memory.bytes_of_words w.words) 0 c.workers)
 
-  let add_worker c channel =
-    let context = Graph.context c.graph in
-    let there = Wire.make context and back = Wire.make context in
-    let under_way = Queue.create () and replies = Queue.create () in
-    let number = c.made and words = 0 and owing = 0 and place = 0 and room = 0 in
-    c.workers <- { number; channel; there; back; under_way; replies; words; owing; place; room } :: c.workers;
-    c.made <- c.made + 1
+  (** {2 Workers} *)
 
-  (* Where the system gives no process there are fewer. *)
-  let new_worker c = Option.iter (add_worker c) (Channel.fork (Served.serve (Graph.context c.graph)))
+  let all_or_none list = if List.for_all Option.is_some list then Some (List.filter_map Fun.id list) else None
+  let make_slots count length = all_or_none (List.init count (fun _ -> Scc_shared.Shared_memory.numbers length))
 
-  (* What it was to find is found by others, or here. *)
+  (* Where the system gives no memory or no process there are fewer. *)
+  let new_worker c =
+    match (make_slots slots_of_worker slot_length, Served.bells ()) with
+    | Some slots, Some bells ->
+      let slots = Array.of_list slots in
+      let add channel =
+        c.workers <- { channel; bells; slots; live = Queue.create (); beyond = 0; under_way = []; words = 0 } :: c.workers
+      in
+      Option.iter add (Channel.fork (Service.serve c.shared slots bells))
+    | _ -> ()
+
+  (* What it was to find is found here. *)
   let bury c w =
     Channel.close w.channel;
-    Queue.iter (fun request -> List.iter (States.remove c.sent) request.unread) w.under_way;
+    List.iter (fun r -> r.answered <- 0) w.under_way;
     c.workers <- List.filter (fun other -> other != w) c.workers;
     c.deaths <- c.deaths + 1;
     if c.deaths <= most_deaths then new_worker c;
     told c
 
-  let bytes_under_way w = Queue.fold (fun n request -> n + request.bytes) 0 w.under_way
+  let rec collect_from c w =
+    match w.under_way with
+    | r :: rest when Served.answered r.slot >= 0 ->
+      r.answered <- Served.answered r.slot;
+      w.under_way <- rest;
+      Balance.answered c.balance ~states:r.answered ~worked:(Served.seconds r.slot);
+      collect_from c w
+    | _ -> ()
 
-  (* In the order of their numbers, which is about that in which they are expanded. *)
-  let see_who_is_ready c =
-    while c.next < Graph.size c.graph && Queue.length c.ready < 2 * Balance.batch c.balance do
-      if not (Balance.is_here c.balance c.next) then Queue.push c.next c.ready;
-      c.next <- c.next + 1
-    done
-
-  (* States for a request: some may have been expanded meanwhile. *)
-  let next_states c =
-    let rec from count chosen =
-      match if count < Balance.batch c.balance then Queue.take_opt c.ready else None with
-      | None -> List.rev chosen
-      | Some i -> if i <> c.now && c.waits i then from (count + 1) (i :: chosen) else from count chosen
-    in
-    from 0 []
-
-  (* What will have been answered until this is read takes about as much room as the last answer. *)
-  let put_state c w b i =
-    let back answer = w.place + (w.owing * w.room) - answer in
-    w.owing <- w.owing + 1;
-    let state =
-      match Origins.find c.origins i ~worker:w.number with
-      | Some (answer, step) when back answer <= Answered.surely -> Served.Place { answer; step }
-      | Some _ | None -> Tuple (Graph.tuple c.graph i)
-    in
-    Served.put_state w.there b state
-
-  (* As many of them as are let through; a large state goes alone. *)
-  let request c w states =
-    let b = Buffer.create 4096 in
-    let rec fill sent = function
-      | i :: rest when Buffer.length b < most_bytes / 4 ->
-        put_state c w b i;
-        fill (i :: sent) rest
-      | _ -> List.rev sent
-    in
-    let sent = Balance.telling c.balance (fun () -> fill [] states) in
-    let whole = Buffer.create (Buffer.length b + 4) in
-    Packed.put_nat whole (List.length sent);
-    Buffer.add_buffer whole b;
-    let request = { worker = w; bytes = Buffer.length whole; unread = sent; reply = None } in
-    List.iter (fun i -> States.replace c.sent i request) sent;
-    Queue.push request w.under_way;
-    match Channel.put w.channel whole with () -> () | exception Channel.Closed -> bury c w
-
-  (* Two requests each, so that nobody waits for the next one; but only who has none gets one of few states. *)
-  let has_room c w =
-    Queue.is_empty w.under_way
-    || Queue.length w.under_way < 2
-       && bytes_under_way w <= most_bytes / 2
-       && Queue.length c.ready >= Balance.least_ahead c.balance
-
-  (* What is found is of no use before its turn: nobody runs far ahead of the process that has the graph. *)
-  let is_far_ahead c = States.length c.sent > 3 * Balance.batch c.balance * List.length c.workers
-
-  let rec send c =
-    see_who_is_ready c;
-    match List.filter (has_room c) c.workers with
-    | [] -> ()
-    | free when Queue.length c.ready >= Balance.least c.balance && not (is_far_ahead c) -> (
-        let busy w = Queue.length w.under_way in
-        let w = List.hd (List.stable_sort (fun a b -> Int.compare (busy a) (busy b)) free) in
-        match Balance.telling c.balance (fun () -> next_states c) with
-        | [] -> ()
-        | states ->
-          request c w states;
-          send c)
-    | _ :: _ -> ()
+  let collect c = List.iter (collect_from c) c.workers
 
   let receive c w =
     match Channel.get w.channel with
     | exception Channel.Closed -> bury c w
     | message ->
-      let source = Packed.source message in
-      let request = Queue.pop w.under_way in
-      let { Served.waited; worked; words } = Served.read_heading source in
-      w.words <- words;
-      told c;
-      Balance.answered c.balance ~states:(List.length request.unread) ~waited ~worked;
-      request.reply <- Some source;
-      Queue.push request w.replies
+      w.words <- Packed.nat (Packed.source message);
+      told c
 
-  let exchange c channels =
+  (* Until somebody has answered, or died. *)
+  let wait c =
+    let busy = List.filter (fun w -> w.under_way <> []) c.workers in
+    let is_under_way w = match w.under_way with [] -> false | r :: _ -> Served.answered r.slot < 0 in
+    List.iter (fun w -> Served.say_waiting w.bells Served.main) busy;
+    if List.for_all is_under_way busy then begin
+      let ready = Channel.ready (List.map (fun w -> w.channel) busy) in
+      Critical.run (fun () -> List.iter (fun w -> if List.memq w.channel ready then receive c w) busy)
+    end;
+    Critical.run (fun () -> collect c)
+
+  (** {2 Requests} *)
+
+  (* A state that has been expanded does not wait any more. *)
+  let rec pass_over c r =
+    if r.next < r.answered && not (c.waits r.states.(r.next)) then begin
+      r.next <- r.next + 1;
+      pass_over c r
+    end
+
+  let is_used_up r = r.answered >= 0 && r.next >= r.answered
+
+  (* A worker has its slots back in the order of its requests. *)
+  let give_back c r =
+    let rec drop live =
+      match Queue.peek_opt live with
+      | Some r when is_used_up r ->
+        ignore (Queue.pop live);
+        drop live
+      | Some _ | None -> ()
+    in
+    match r.worker with
+    | Some w -> drop w.live
+    | None -> c.own_slots <- r.slot :: c.own_slots
+
+  (* Those that are used up give their slots back: the first ones always, others once slots are wanted. *)
+  let rec drop_first c =
+    match Queue.peek_opt c.requests with
+    | Some r when is_used_up r ->
+      give_back c (Queue.pop c.requests);
+      drop_first c
+    | Some _ | None -> ()
+
+  let drop_all c =
+    let kept = Queue.create () in
+    let look r =
+      pass_over c r;
+      if is_used_up r then give_back c r else Queue.push r kept
+    in
+    Queue.iter look c.requests;
+    Queue.clear c.requests;
+    Queue.transfer kept c.requests
+
+  let waiting c = Graph.size c.shared.graph - c.unasked
+
+  (* So many that wait, but for the one whose turn it is. *)
+  let take c count =
+    let rec from found chosen =
+      if found = count || waiting c = 0 then Array.of_list (List.rev chosen)
+      else begin
+        let i = c.unasked in
+        c.unasked <- i + 1;
+        if i <> c.now && c.waits i then from (found + 1) (i :: chosen) else from found chosen
+      end
+    in
+    from 0 []
+
+  let ask c w =
+    match take c (Balance.request c.balance ~waiting:(waiting c) ~jobs:c.jobs) with
+    | [||] -> ()
+    | states ->
+      let slot = w.slots.(w.beyond mod Array.length w.slots) in
+      Served.request slot states;
+      let r = { worker = Some w; slot; states; answered = -1; next = 0 } in
+      w.beyond <- w.beyond + 1;
+      w.under_way <- w.under_way @ [ r ];
+      Queue.push r w.live;
+      Queue.push r c.requests;
+      if Served.is_waiting w.bells Served.worker then
+        match Channel.put w.channel (Buffer.create 1) with () -> () | exception Channel.Closed -> bury c w
+
+  let is_full w = Queue.length w.live >= Array.length w.slots
+
+  (* Those with fewer requests are asked first. *)
+  let send c =
+    for under_way = 0 to most_under_way - 1 do
+      let ask_one w =
+        if waiting c > 1 && List.length w.under_way = under_way && not (is_full w) then ask c w
+      in
+      List.iter ask_one c.workers
+    done
+
+  (** {2 Room in the tables} *)
+
+  (* Workers stop where room is wanted, and are not asked for more until they all have. *)
+  let make_room c =
+    while List.exists (fun w -> w.under_way <> []) c.workers do
+      wait c
+    done;
+    Critical.run (fun () -> Graph.make_room c.shared.graph c.shared.common)
+
+  let exchange c =
     Critical.run (fun () ->
-        List.iter (fun w -> if List.memq w.channel channels then receive c w) c.workers;
+        collect c;
+        drop_first c);
+    if Graph.is_room_wanted c.shared.graph c.shared.common then make_room c;
+    Critical.run (fun () ->
+        if List.exists is_full c.workers || c.own_slots = [] then drop_all c;
         send c)
 
-  let channels c = List.filter_map (fun w -> if Queue.is_empty w.under_way then None else Some w.channel) c.workers
+  (** {2 Answers} *)
 
-  (* Of a state whose request has been answered. What one process tells can only be read in order. *)
-  let rec read_on c w i =
-    let request = Queue.peek w.replies in
-    match request.reply, request.unread with
-    | Some source, next :: rest ->
-      let answer = Served.read_answer w.back source in
-      let place = w.place in
-      w.owing <- w.owing - 1;
-      (match (answer : Served.answer) with
-       | Look -> ()
-       | Steps { some; all } ->
-         w.room <- Answered.room ~width:(width c) (Served.kept ~some ~all);
-         w.place <- w.place + w.room);
-      request.unread <- rest;
-      if next = i then (answer, place)
-      else begin
-        States.replace c.early next (answer, place);
-        read_on c w i
-      end
-    | None, _ | _, [] ->
-      ignore (Queue.pop w.replies);
-      read_on c w i
+  (* Some of what waits is found here; nothing, where there is none or no room for it. *)
+  let works_ahead c =
+    match c.own_slots with
+    | [] -> false
+    | slot :: rest -> (
+        match take c (Balance.request c.balance ~waiting:(waiting c) ~jobs:c.jobs) with
+        | [||] -> false
+        | states ->
+          c.own_slots <- rest;
+          Served.request slot states;
+          let r = { worker = None; slot; states; answered = 0; next = 0 } in
+          Queue.push r c.requests;
+          Service.find c.shared slot;
+          r.answered <- Served.answered slot;
+          true)
 
-  (* Those that may do are kept before all. *)
-  let source c from ~some ~place (found : Graph.steps) =
-    let width = width c in
-    let first =
-      match some with
-      | Some some when not found.reduced -> place + Answered.room ~width some
-      | Some _ | None -> place + Answered.first_step ~width
+  (* The place of a state among increasing ones from [low] on, before [high]. *)
+  let rec position (states : int array) i low high =
+    if low >= high then None
+    else
+      let middle = (low + high) / 2 in
+      let there = states.(middle) in
+      if there = i then Some middle
+      else if there < i then position states i (middle + 1) high
+      else position states i low middle
+
+  let find c i =
+    let look found r =
+      match found with
+      | Some _ -> found
+      | None -> Option.map (fun k -> (r, k)) (position r.states i r.next (Array.length r.states))
     in
-    { from; answer = place; first; steps = found.steps }
+    match Queue.peek_opt c.requests with
+    | Some r when r.next < Array.length r.states && r.states.(r.next) = i -> Some (r, r.next)
+    | Some _ | None -> Queue.fold look None c.requests
 
-  let answer_of c request i =
-    match States.find_opt c.early i with
-    | None -> read_on c request.worker i
-    | Some answer ->
-      States.remove c.early i;
-      answer
+  let answer r k = { Graph.words = r.slot; at = Served.place r.slot k }
 
-  (* None: it is to be found here. *)
-  let rec found c i =
-    match States.find_opt c.sent i with
+  let rec ready c i =
+    match find c i with
     | None -> None
-    | Some { reply = None; _ } ->
-      Balance.waited c.balance;
-      exchange c (Channel.ready (channels c));
-      found c i
-    | Some request -> (
-        let answer = Balance.hearing c.balance i (fun () -> answer_of c request i) in
-        States.remove c.sent i;
-        match answer with
-        | Look, _ -> None
-        | Steps { some; all }, place ->
-          let found = Graph.all_or_some c.graph ~some ~all:(fun () -> Ok all) in
-          Result.iter (fun found -> c.source <- Some (source c request.worker ~some ~place found)) found;
-          Some found)
+    | Some (r, k) when r.answered >= 0 ->
+      if k >= r.answered then None
+      else begin
+        if k = r.next then r.next <- k + 1;
+        if k land (fetched_at_once - 1) = 0 then
+          for k = k to Int.min (k + fetched_at_once) r.answered - 1 do
+            Graph.fetch c.shared.graph (answer r k)
+          done;
+        Some (answer r k)
+      end
+    | Some _ ->
+      if not (works_ahead c) then wait c;
+      exchange c;
+      ready c i
 
-  (* Of the states that are new, in the order of their numbers, where each came up. *)
-  let note_origins c { from; answer; first; steps } arrows =
-    let rec go number step steps (arrows : Graph.arrow list) =
-      match (steps, arrows) with
-      | _, [] | [], _ -> ()
-      | _, Known _ :: arrows -> go number step steps arrows
-      | s :: steps, New new_one :: rest ->
-        let next = step + Answered.room_of_step s in
-        if s == new_one then begin
-          Origins.put c.origins number ~worker:from.number ~answer ~step;
-          go (number + 1) next steps rest
-        end
-        else go number next steps arrows
-    in
-    go c.known first steps arrows
-
-  let steps result = Result.map (fun found -> Graph.Found found) result
-
-  let begun g balance jobs waits =
-    let c =
-      {
-        graph = g; balance; waits;
-        now = -1;
-        next = 0;
-        ready = Queue.create ();
-        sent = States.create 1024;
-        early = States.create 16;
-        origins = Origins.create ();
-        source = None;
-        known = 0;
-        workers = [];
-        made = 0;
-        deaths = 0;
-      }
-    in
+  let begun shared balance jobs waits =
+    let own_slots = List.init own_slots (fun _ -> Bigarray.(Array1.create int c_layout slot_length)) in
+    let rec first_waiting i = if i < Graph.size shared.Service.graph && not (waits i) then first_waiting (i + 1) else i in
+    let unasked = first_waiting 0 and requests = Queue.create () in
+    let c = { shared; balance; jobs; waits; requests; own_slots; now = -1; unasked; workers = []; deaths = 0 } in
+    Graph.set_full shared.graph shared.common (fun () -> make_room c);
     for _ = 1 to jobs - 1 do
       new_worker c
     done;
     c
 
+  let ended c =
+    List.iter (fun w -> Channel.close w.channel) c.workers;
+    c.workers <- [];
+    Memory.set_beside 0
+
   (* Whether it pays is asked once the first states have been found here. *)
   let expanding ~jobs ~start : Graph.expanding =
-    fun g ~all_edges ~waits ->
-    if jobs < 2 then Graph.here g ~all_edges ~waits
+    fun g ~all_edges ~waits ~dull ->
+    if jobs < 2 then Graph.here g ~all_edges ~waits ~dull
     else begin
-      let crew = ref None and turns = ref 0 in
+      let crew = ref None and tried = ref false and turns = ref 0 in
       let first = Unix.gettimeofday () and balance = Balance.create ~now:Unix.gettimeofday in
-      let find_here tuple = steps (Balance.finding balance (fun () -> Graph.successors g tuple)) in
       let pays () =
         match start with
         | At_once -> true
@@ -302,33 +308,31 @@ module Make
           Graph.size g <= few && Unix.gettimeofday () -. first > grace && Balance.pays balance
       in
       let call_in () =
-        if Option.is_none !crew && pays () then
-          Critical.run (fun () -> crew := Some (begun g balance jobs waits))
+        if (not !tried) && pays () then begin
+          tried := true;
+          let begin_with common = crew := Some (begun { graph = g; common; all_edges; dull } balance jobs waits) in
+          Critical.run (fun () -> Option.iter begin_with (Graph.share g))
+        end
       in
-      let expand i tuple =
-        incr turns;
-        call_in ();
+      let ready i =
         match !crew with
-        | None -> find_here tuple
-        | Some c -> (
-            c.now <- i;
-            c.source <- None;
-            c.known <- Graph.size g;
-            if !turns mod Balance.between_looks balance = 0 then
-              exchange c (List.filter Channel.has_message (channels c));
-            match found c i with Some result -> steps result | None -> find_here tuple)
+        | None -> None
+        | Some c ->
+          c.now <- i;
+          incr turns;
+          if !turns land (between_looks - 1) = 0 then exchange c;
+          (* What is shared cannot be in files. *)
+          if !turns land (between_sizes - 1) = 0 && Spill.takes (Graph.shared_bytes g) then begin
+            Critical.run (fun () -> ended c; Graph.unshare g; crew := None);
+            None
+          end
+          else ready c i
       in
-      let finish () =
-        Option.iter
-          (fun c ->
-             Critical.run (fun () -> List.iter (fun w -> Channel.close w.channel) c.workers);
-             Memory.set_beside 0)
-          !crew
+      let expand _ tuple =
+        call_in ();
+        Result.map (fun found -> Graph.Found found) (Balance.finding balance (fun () -> Graph.successors g tuple))
       in
-      let asked c source =
-        { Graph.asks = (fun _ -> false); tell = (fun _ noted -> note_origins c source noted.arrows) }
-      in
-      let expanded () = Option.bind !crew (fun c -> Option.map (asked c) c.source) in
-      { expand; expanded; finish }
+      let finish () = Option.iter (fun c -> Critical.run (fun () -> ended c)) !crew in
+      { ready; expand; expanded = (fun () -> None); finish }
     end
 end

@@ -103,7 +103,7 @@ module Make
         note)
 
   let expanding ?block log (after : Graph.expanding) : Graph.expanding =
-    fun g ~all_edges ~waits ->
+    fun g ~all_edges ~waits ~dull ->
     let j =
       {
         log;
@@ -117,8 +117,15 @@ module Make
       }
     in
     advance j;
-    let after = lazy (after g ~all_edges ~waits) in
+    let after = lazy (after g ~all_edges ~waits ~dull) in
     let afresh state tuple = (Lazy.force after).Graph.expand state tuple in
+    let ready state =
+      match j.ahead with
+      | Some _ -> None
+      | None ->
+        j.followed <- false;
+        (Lazy.force after).Graph.ready state
+    in
     let expand state tuple =
       match j.ahead with
       | Some n when n.state = state ->
@@ -155,5 +162,5 @@ module Make
       Critical.run (fun () -> Blocks.write j.blocks);
       if Lazy.is_val after then (Lazy.force after).finish ()
     in
-    { expand; expanded; finish }
+    { ready; expand; expanded; finish }
 end

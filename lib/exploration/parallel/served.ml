@@ -1,96 +1,85 @@
+open Bigarray
 open Scc_base
+open Scc_shared
 open Scc_codec
 open Scc_graph_search
 
-module Make (L : Lts.S) (E : Lts.Exchange with type context = L.context) = struct
-  module Wire = Wire.Make (E)
+(* A slot is memory for a request and its answers: how far it is; the microseconds that the answers took; the number
+   of states, and they; for each of them the place of its answer; and the answers. *)
+type slot = Shared_memory.numbers
 
-  type state = Tuple of int array | Place of { answer : int; step : int }
-  type heading = { waited : float; worked : float; words : int }
-  type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
+(* How far a request is: 0 of none; asked; or so many more than the number of states that have been answered. *)
+let asked = 1
+let answers = 2
+let header = 3
 
-  let kept ~some ~all = match some with None -> all | Some some -> some @ all
+let request (slot : slot) states =
+  slot.{2} <- Array.length states;
+  Array.iteri (fun k i -> slot.{header + k} <- i) states;
+  Shared_memory.write slot 0 asked
 
-  (** {2 Requests} *)
+let answered (slot : slot) = Shared_memory.read slot 0 - answers
+let place (slot : slot) k = slot.{header + slot.{2} + k}
+let seconds (slot : slot) = 1e-6 *. float_of_int slot.{1}
 
-  let put_state wire b = function
-    | Tuple tuple ->
-      Packed.put_nat b 0;
-      Wire.put_tuple wire b tuple
-    | Place { answer; step } ->
-      Packed.put_nat b (1 + answer);
-      Packed.put_nat b (step - answer)
+type bells = Shared_memory.numbers
 
-  (* Nothing, where it has been overwritten. *)
-  let read_tuple wire answered source =
-    match Packed.nat source with
-    | 0 -> Some (Wire.read_tuple wire source)
-    | n ->
-      let answer = n - 1 in
-      Answered.tuple answered ~answer ~step:(answer + Packed.nat source)
+(* Whoever waits says so, and looks once more before it sleeps; who has written something looks who waits. *)
+let main = 0
+let worker = 1
+let bells () = Shared_memory.numbers 2
+let say_waiting bells who = ignore (Shared_memory.swap bells who 1)
+let is_waiting bells who = Shared_memory.swap bells who 0 = 1
 
-  (** {2 Replies} *)
+exception No_room
 
-  let put_seconds b seconds = Packed.put_nat b (int_of_float (1e6 *. Float.max 0. seconds))
-  let read_seconds source = 1e-6 *. float_of_int (Packed.nat source)
+module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
+  type shared = { graph : Graph.t; common : Common.t; all_edges : bool; dull : int array -> bool }
 
-  let put_heading b { waited; worked; words } =
-    put_seconds b waited;
-    put_seconds b worked;
-    Packed.put_nat b words
-
-  let read_heading source =
-    let waited = read_seconds source in
-    let worked = read_seconds source in
-    { waited; worked; words = Packed.nat source }
-
-  let put_look b = Packed.put_nat b 0
-
-  let put_steps wire b steps =
-    Packed.put_nat b (List.length steps);
-    List.iter (Wire.put_recent wire b) steps
-
-  let read_steps wire source = Packed.list source (Wire.read_recent wire)
-
-  let read_answer wire source =
-    match Packed.nat source with
-    | 0 -> Look
-    | 1 -> Steps { some = None; all = read_steps wire source }
-    | _ ->
-      let some = read_steps wire source in
-      Steps { some = Some some; all = read_steps wire source }
+  (* Where little is left of the slot, or of the tables, the rest is left to others. *)
+  let find { graph; common; all_edges; dull } (slot : slot) =
+    let count = slot.{2} in
+    let rec from k at =
+      if k = count || 4 * at > 3 * Array1.dim slot || Graph.is_room_wanted graph common then k
+      else
+        match Graph.put_answer graph ~all_edges ~dull slot at slot.{header + k} with
+        | beyond ->
+          slot.{header + count + k} <- at;
+          from (k + 1) beyond
+        | exception (No_room | Ahead.Too_long) -> k
+    in
+    let start = Unix.gettimeofday () in
+    let found = from 0 (header + (2 * count)) in
+    slot.{1} <- int_of_float (1e6 *. Float.max 0. (Unix.gettimeofday () -. start));
+    Shared_memory.write slot 0 (answers + found)
 
   (** {2 Serving} *)
 
-  let answer context wire answered b tuple =
-    match (L.reduced context tuple, L.successors context tuple) with
-    | _, (Error _ | Ok []) -> put_look b
-    | some, Ok all ->
-      Packed.put_nat b (match some with None -> 1 | Some _ -> 2);
-      Option.iter (put_steps wire b) some;
-      put_steps wire b all;
-      Answered.keep answered tuple (kept ~some ~all)
-
-  let serve context channel =
-    let from = Wire.make context and back = Wire.make context in
-    let answered = Answered.create ~width:(L.width context) in
-    let answers = Buffer.create 65536 and reply = Buffer.create 65536 in
-    let rec go since =
-      let source = Packed.source (Channel.get channel) in
-      let start = Unix.gettimeofday () in
-      Buffer.clear answers;
-      for _ = 1 to Packed.nat source do
-        match read_tuple from answered source with
-        | Some tuple -> answer context back answered answers tuple
-        | None -> put_look answers
-      done;
-      Buffer.clear reply;
-      let worked = Unix.gettimeofday () -. start in
-      let words = Memory.heap_words () + Answered.words answered in
-      put_heading reply { waited = start -. since; worked; words };
-      Buffer.add_buffer reply answers;
-      Channel.put channel reply;
-      go (Unix.gettimeofday ())
+  (* The slots are used by turns. *)
+  let serve shared slots bells channel =
+    let { graph; common; _ } = shared in
+    Graph.go_on_apart graph common ~full:(fun () -> raise No_room);
+    let is_asked slot = Shared_memory.read slot 0 = asked in
+    let message = Buffer.create 8 in
+    let tell_memory () =
+      Buffer.clear message;
+      Packed.put_nat message (Memory.heap_words ());
+      Channel.put channel message
     in
-    go (Unix.gettimeofday ())
+    let rec wait slot =
+      if not (is_asked slot) then begin
+        say_waiting bells worker;
+        if not (is_asked slot) then ignore (Channel.get channel);
+        wait slot
+      end
+    in
+    let rec go k =
+      let slot = slots.(k mod Array.length slots) in
+      wait slot;
+      Graph.refresh graph common;
+      find shared slot;
+      if is_waiting bells main then tell_memory ();
+      go (k + 1)
+    in
+    go 0
 end

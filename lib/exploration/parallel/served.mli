@@ -1,40 +1,55 @@
-(** The work of a worker for the process that has the graph ({!Crew}), and the protocol between the two.
+(** What a worker of a {!Crew} does: it finds the transitions of states that another process numbers. Requests and
+    answers lie in memory that they share. *)
 
-    A request is a number of states. Each state is 0 and its tuple, or a place. A state that came up in an answer
-    of this worker is 1 + the place of that answer, and the distance from there to the step ({!Answered}). A
-    reply is a heading and an answer for each state. An answer is one of these:
-    - 0, if the process that has the graph must find the transitions itself;
-    - 1, and all transitions;
-    - 2, some transitions that may be enough ({!Scc_graph_search.Lts.S.reduced}), and all of them. *)
-
-open Scc_codec
 open Scc_graph_search
 
-module Make (L : Lts.S) (E : Lts.Exchange with type context = L.context) : sig
-  module Wire : module type of Wire.Make (E)
+(** Memory for a request and its answers. *)
+type slot = Scc_shared.Shared_memory.numbers
 
-  type state = Tuple of int array | Place of { answer : int; step : int }
+val request : slot -> int array -> unit
+(** [request slot states] asks for the transitions of some states. *)
 
-  (** The seconds that the worker has waited for the request and worked at it, and the words of memory that it
-      takes. *)
-  type heading = { waited : float; worked : float; words : int }
+val answered : slot -> int
+(** [answered slot] is the number of states that have been answered, the first ones of the request; negative while it
+    is under way. *)
 
-  type answer = Look | Steps of { some : Lts.step list option; all : Lts.step list }
+val place : slot -> int -> int
+(** [place slot k] is the place of the answer about the [k]-th state, from 0. *)
 
-  val kept : some:Lts.step list option -> all:Lts.step list -> Lts.step list
-  (** [kept ~some ~all] is the steps of an answer in the order in which {!Answered.keep} has them: [some], then
-      [all]. *)
+val seconds : slot -> float
+(** [seconds slot] is how long the answers took. *)
 
-  val put_state : Wire.t -> Buffer.t -> state -> unit
-  (** Appends one state of a request. *)
+(** Memory in which the two processes say that they wait for a message. *)
+type bells
 
-  val read_heading : Packed.source -> heading
-  (** Reads the heading of a reply. Raises {!Scc_codec.Packed.Malformed}. *)
+val bells : unit -> bells option
+(** [bells ()] is new bells; [None] if the system gives no memory. *)
 
-  val read_answer : Wire.t -> Packed.source -> answer
-  (** Reads the next answer of a reply. The answers of all replies of a worker must be read in their order. Raises
-      {!Scc_codec.Packed.Malformed} and [Failure]. *)
+val say_waiting : bells -> int -> unit
+(** [say_waiting bells who] is called by a process before it looks once more for what it waits for, and then waits for
+    a message. *)
 
-  val serve : L.context -> Channel.t -> unit
-  (** [serve context channel] is the work of a worker. It answers requests until {!Channel.Closed} is raised. *)
+val is_waiting : bells -> int -> bool
+(** [is_waiting bells who] is true if a process waits for a message, once for each time. It is called after something
+    was written for that process. *)
+
+val main : int
+(** The process that numbers the states, for {!say_waiting} and {!is_waiting}. *)
+
+val worker : int
+(** The other process. *)
+
+module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
+  (** A graph that is shared, with its table of texts; whether all edges are wanted; and the states of which a visitor
+      is not told. *)
+  type shared = { graph : Graph.t; common : Common.t; all_edges : bool; dull : int array -> bool }
+
+  val find : shared -> slot -> unit
+  (** [find shared slot] answers the request in a slot: for each state in turn what {!Graph.put_answer} puts. It ends
+      early where the slot is full, or room is wanted in the tables. *)
+
+  val serve : shared -> slot array -> bells -> Channel.t -> unit
+  (** [serve shared slots bells channel] answers the requests that come into the slots by turns. It is called in
+      another process. A message wakes it, where it waits, and its messages tell how many words of memory it has. It
+      ends with {!Channel.Closed}. *)
 end

@@ -3,56 +3,26 @@ open Scc_exact
 open Scc_calculus
 open Scc_semantics
 open Scc_graph_search
+open Components
 
-module Vectors = Numbering.Make (Vec)
+type label = Components.label = One of Transition.label | Tied of Transition.label * Rat.t | Joint of joint
+type nonrec joint = joint = { chance : Rat.t; transitions : int }
 
-module Forms = Numbering.Make (struct
-    type t = State.process
-
-    let equal = State.equal_process
-    let hash = State.hash_process
-  end)
-
-let hash_label : Transition.label -> int = function
-  | Time d -> Rat.hash d
-  | Bind b -> 1 + State.hash_bond b
-  | Close b -> 2 + State.hash_bond b
-  | (Weak_split _ | Strong_split _) as l ->
-    List.fold_left (fun h b -> (31 * h) + State.hash_bond b) 3 (Transition.bonds l) land max_int
-  | Absorb { first; absorber } -> 7 + (31 * first) + absorber
-  | Lot { bond; chance; _ } -> 13 + (31 * State.hash_bond bond) + Rat.hash chance
-  | Draw { first; given; _ } -> 11 + (31 * first) + Given.hash given
-  | Bounce { firsts; _ } -> List.fold_left (fun h p -> (1_000_003 * h) + p) 5 firsts land max_int
-
-type joint = { chance : Rat.t; transitions : int }
-type label = One of Transition.label | Tied of Transition.label * Rat.t | Joint of joint
-
-module Labels = Numbering.Make (struct
-    type t = label
-
-    let equal a b =
-      match (a, b) with
-      | One a, One b -> Transition.equal_label a b
-      | Tied (a, p), Tied (b, q) -> Rat.equal p q && Transition.equal_label a b
-      | Joint a, Joint b -> a.transitions = b.transitions && Rat.equal a.chance b.chance
-      | (One _ | Tied _ | Joint _), _ -> false
-
-    let hash = function
-      | One l -> hash_label l
-      | Tied (l, chance) -> (31 * Rat.hash chance) + hash_label l
-      | Joint j -> (31 * Rat.hash j.chance) + j.transitions
-  end)
-
-module Steps = Numbering.Make (struct
-    type t = State.step
-
-    let equal (a : t) (b : t) =
-      Rat.equal a.remaining b.remaining && a.phase = b.phase
-
-    let hash (s : t) = Rat.hash s.remaining
-  end)
+let hash_label = hash_label
 
 type body = { number : int; form : int; place : int; velocity : int; process : State.process }
+
+(* What things are to other processes. *)
+type texts = {
+  process : State.process -> string;
+  of_process : string -> State.process;
+  label : label -> string;
+  of_label : string -> label;
+  step : State.step -> string;
+  of_step : string -> State.step;
+  time : Rat.t -> string;
+  of_time : string -> Rat.t;
+}
 
 type t = {
   model : Model.t;
@@ -68,6 +38,12 @@ type t = {
   recent : body Recent.t;
   seen : body array;  (** by slots: those last given out or numbered *)
   mutable bits : int;  (** the length of the longest number *)
+  mutable all_bits : Scc_shared.Shared_memory.numbers option;  (** the same, of all processes *)
+  mutable texts : texts option;  (** where numbers are shared with other processes *)
+  of_processes : Common.numbers;
+  of_labels : Common.numbers;
+  of_steps : Common.numbers;
+  of_times : Common.numbers;
   mutable passed : Rat.t * int;  (** how long time passed last, and the label of that *)
 }
 
@@ -102,6 +78,12 @@ let create ~marked ~time_seen ~memory model =
     recent = Recent.create ~number:(fun b -> b.number) ~none:no_body ~most:memory;
     seen = Array.make (Array.length model.leaves) no_body;
     bits = 0;
+    all_bits = None;
+    texts = None;
+    of_processes = Common.numbers ();
+    of_labels = Common.numbers ();
+    of_steps = Common.numbers ();
+    of_times = Common.numbers ();
     passed = (Rat.zero, -1);
   }
 
@@ -122,9 +104,33 @@ let slot c i =
   else if c.marked then Mark
   else Process
 
-let step_of_number c i = Steps.get c.steps i
-let step_number c s = Steps.number c.steps s
-let rational c i = Rationals.get c.times i
+(** {2 Numbers}
+
+    Tables have the things by own numbers; whatever leaves this module are common ones ({!Common}). *)
+
+let texts c = match c.texts with Some t -> t | None -> Scc_base.Bug.fail __POS__ "numbers without texts"
+
+let step_number c s =
+  Common.common c.of_steps (Steps.number c.steps s) (fun own -> (texts c).step (Steps.get c.steps own))
+
+let step_of_number c i =
+  Steps.get c.steps (Common.own c.of_steps i (fun text -> Steps.number c.steps ((texts c).of_step text)))
+
+let common_time c own = Common.common c.of_times own (fun own -> (texts c).time (Rationals.get c.times own))
+
+let rational c i =
+  Rationals.get c.times (Common.own c.of_times i (fun text -> Rationals.intern c.times ((texts c).of_time text)))
+
+let label_number c l =
+  Common.common c.of_labels (Labels.number c.labels l) (fun own -> (texts c).label (Labels.get c.labels own))
+
+(* A tied label comes with the label itself, as it does where it is made. *)
+let own_label c text =
+  let label = (texts c).of_label text in
+  (match label with Tied (l, _) -> ignore (Labels.number c.labels (One l)) | One _ | Joint _ -> ());
+  Labels.number c.labels label
+
+let any_label c i = Labels.get c.labels (Common.own c.of_labels i (own_label c))
 
 (* The tuple of the empty network has a slot all the same. *)
 let width c = Int.max 1 (mark_slot c + option_slot c.marked)
@@ -137,7 +143,13 @@ let moved by (p : State.process) =
   else State.map_leaves (fun l -> { l with position = Vec.add l.position by }) p
 
 (* Only what is new can be longer than all before. *)
-let measure c ~known ~(number : int) bits = if number = known then c.bits <- Int.max c.bits (bits ())
+let measured c bits =
+  if bits > c.bits then begin
+    c.bits <- bits;
+    Option.iter (fun all -> Scc_shared.Shared_memory.raise_to all 0 bits) c.all_bits
+  end
+
+let measure c ~known ~(number : int) bits = if number = known then measured c (bits ())
 
 let vector c v =
   let known = Vectors.size c.vectors in
@@ -152,13 +164,31 @@ let form_of c (p : State.process) =
   measure c ~known ~number longest;
   number
 
-let numbered c ~form ~place ~velocity =
+(* Own numbers of processes begin at 1, too. *)
+let own_number c ~form ~place ~velocity =
   1 + Pairs.intern c.processes (Pairs.intern c.places form place) velocity
 
-let find_number c slot (p : State.process) =
+let own_process c own =
+  let placed = Pairs.left c.processes (own - 1) and velocity = Pairs.right c.processes (own - 1) in
+  let form = Pairs.left c.places placed and place = Pairs.right c.places placed in
+  let process =
+    Forms.get c.forms form
+    |> moved (Vectors.get c.vectors place)
+    |> State.with_velocity (Vectors.get c.vectors velocity)
+  in
+  { number = own; form; place; velocity; process }
+
+let numbered c ~form ~place ~velocity =
+  Common.common c.of_processes (own_number c ~form ~place ~velocity) (fun own ->
+      (texts c).process (own_process c own).process)
+
+let parts c (p : State.process) =
   let place = p.leaves.(0).position in
   let form = form_of c (State.with_velocity Vec.zero (moved (Vec.neg place) p)) in
-  let place = vector c place and velocity = vector c p.velocity in
+  (form, vector c place, vector c p.velocity)
+
+let find_number c slot (p : State.process) =
+  let form, place, velocity = parts c p in
   let number = numbered c ~form ~place ~velocity in
   c.seen.(slot) <- { number; form; place; velocity; process = p };
   number
@@ -170,14 +200,11 @@ let process c p =
   if b.process == p then b.number else find_number c slot p
 
 let made c number =
-  let placed = Pairs.left c.processes (number - 1) and velocity = Pairs.right c.processes (number - 1) in
-  let form = Pairs.left c.places placed and place = Pairs.right c.places placed in
-  let process =
-    Forms.get c.forms form
-    |> moved (Vectors.get c.vectors place)
-    |> State.with_velocity (Vectors.get c.vectors velocity)
+  let make text =
+    let form, place, velocity = parts c ((texts c).of_process text) in
+    own_number c ~form ~place ~velocity
   in
-  { number; form; place; velocity; process }
+  { (own_process c (Common.own c.of_processes number make)) with number }
 
 let body c number =
   let b = Recent.get c.recent number in
@@ -215,8 +242,8 @@ let form c i = Forms.get c.forms i
 
 let time_number c time =
   let seen = Scc_property.Time_seen.representative c.time_seen time in
-  c.bits <- Int.max c.bits (Rat.bits seen);
-  Rationals.intern c.times seen
+  measured c (Rat.bits seen);
+  common_time c (Rationals.intern c.times seen)
 
 let rational_number = time_number
 
@@ -230,14 +257,14 @@ let encode c (s : State.t) =
   put_rest c tuple ~step:s.step ~time:s.time;
   tuple
 
-let step c tuple = if Model.of_all c.model then Some (Steps.get c.steps tuple.(step_slot c)) else None
+let step c tuple = if Model.of_all c.model then Some (step_of_number c tuple.(step_slot c)) else None
 
 let same_rest c (a : int array) b =
   let rec from i = i >= width c || (a.(i) = b.(i) && from (i + 1)) in
   from (leaves c)
 
 let time c tuple =
-  if c.model.keeps_time then Some (Rationals.get c.times tuple.(time_slot c)) else None
+  if c.model.keeps_time then Some (rational c tuple.(time_slot c)) else None
 
 let decode c tuple =
   let n = leaves c in
@@ -253,20 +280,20 @@ let decode c tuple =
   State.make ~processes:(processes (n - 1) []) ~step:(step c tuple) ~time:(time c tuple)
 
 let time_after c tuple d =
-  if c.model.keeps_time then Some (time_number c (Rat.add (Rationals.get c.times tuple.(time_slot c)) d)) else None
+  if c.model.keeps_time then Some (time_number c (Rat.add (rational c tuple.(time_slot c)) d)) else None
 
-let label c l = Labels.number c.labels (One l)
+let label c l = label_number c (One l)
 
 let tied c l chance =
   ignore (label c l);
-  Labels.number c.labels (Tied (l, chance))
+  label_number c (Tied (l, chance))
 
 let label_of_transition c (t : Transition.t) =
   match t.chance with
   | Some chance when not (Transition.is_drawn t.label) -> tied c t.label chance
   | Some _ | None -> label c t.label
 
-let joint c j = Labels.number c.labels (Joint j)
+let joint c j = label_number c (Joint j)
 
 (* Of many states one after the other it is the same. *)
 let time_label c d =
@@ -277,7 +304,6 @@ let time_label c d =
     c.passed <- (d, label);
     label
 
-let any_label c i = Labels.get c.labels i
 let single c i = match any_label c i with One l | Tied (l, _) -> Some l | Joint _ -> None
 
 let label_of c i =
@@ -293,16 +319,33 @@ let is_tied c i = match any_label c i with Tied _ -> true | One _ | Joint _ -> f
 let transitions c i = match any_label c i with Joint j -> j.transitions | One _ | Tied _ -> 1
 
 let labels c =
-  let untied i = if is_tied c i then None else single c i in
-  List.filter_map untied (List.init (Labels.size c.labels) Fun.id)
+  List.filter_map (function One l -> Some l | Tied _ | Joint _ -> None) (Labels.keys c.labels)
 
 let has_events c =
-  let is_event i = match single c i with None -> true | Some l -> not (Transition.is_time l) in
-  List.exists is_event (List.init (Labels.size c.labels) Fun.id)
+  let is_event = function Joint _ -> true | One l | Tied (l, _) -> not (Transition.is_time l) in
+  List.exists is_event (Labels.keys c.labels)
 
 let duration c i = match any_label c i with One l -> Transition.duration_of l | Tied _ | Joint _ -> Rat.zero
 
-let greatest_bits c = c.bits
+let greatest_bits c = match c.all_bits with None -> c.bits | Some all -> Scc_shared.Shared_memory.read all 0
+
+let share c table texts =
+  match Scc_shared.Shared_memory.numbers 1 with
+  | None -> false
+  | Some all ->
+    all.{0} <- c.bits;
+    c.all_bits <- Some all;
+    c.texts <- Some texts;
+    Common.share c.of_processes table ~kind:0 ~base:(1 + Pairs.size c.processes);
+    Common.share c.of_labels table ~kind:1 ~base:(Labels.size c.labels);
+    Common.share c.of_steps table ~kind:2 ~base:(Steps.size c.steps);
+    Common.share c.of_times table ~kind:3 ~base:(Rationals.size c.times);
+    true
+
+let numbers_so_far c =
+  List.fold_left Int.max 0
+    [ 1 + Pairs.size c.processes; Labels.size c.labels; Steps.size c.steps; Rationals.size c.times ]
+
 let longest c =
   let greatest count bits =
     let rec from i most = if i = count then most else from (i + 1) (Int.max most (bits i)) in

@@ -158,6 +158,34 @@ val labels : t -> Transition.label list
 val has_events : t -> bool
 (** [has_events t] is true if a label has a number that is no passing of time. *)
 
+(** {1 Several processes} *)
+
+(** A label as it has a number. *)
+type label = One of Transition.label | Tied of Transition.label * Rat.t | Joint of joint
+
+val any_label : t -> int -> label
+(** The label with a number. *)
+
+(** The things as texts, which are the same in all processes, and back. *)
+type texts = {
+  process : State.process -> string;
+  of_process : string -> State.process;
+  label : label -> string;
+  of_label : string -> label;
+  step : State.step -> string;
+  of_step : string -> State.step;
+  time : Rat.t -> string;
+  of_time : string -> Rat.t;
+}
+
+val share : t -> Scc_graph_search.Common.t -> texts -> bool
+(** [share t table texts] makes the numbers of things that come up from now on the same in all processes that are
+    forked afterwards. It takes the kinds 0 to 3 of the table. It is false, and nothing has changed, if the system
+    gives no memory. *)
+
+val numbers_so_far : t -> int
+(** [numbers_so_far t] is more than any number that has been given. *)
+
 val duration : t -> int -> Rat.t
 (** The time that passes in a transition with the label of this number; 0 for an event. *)
 

@@ -42,6 +42,7 @@ type t = {
   catalogue : Catalogue.t;
   events : Property.event list;
   marks : Marks.t;
+  of_marks : Common.numbers;  (** those of other processes *)
   natures : nature option Growable.t;  (** of the first forms, where it has been asked for *)
   mutable waits : Rat.t list;  (** of them, each once: equal ones are the same *)
   nobody : alone;
@@ -76,12 +77,27 @@ let create ~events ~time_seen ~memory semantics =
   in
   {
     semantics; catalogue; events;
-    afresh = Semantics.without_memo semantics; marks; nobody;
+    afresh = Semantics.without_memo semantics; marks; of_marks = Common.numbers (); nobody;
     natures = Growable.create ();
     waits = [];
     singles = Recent.create ~number:(fun a -> a.body.number) ~none:nobody ~most:memory;
     hits = Recent.create ~number:(fun h -> spread h.pair) ~none:{ pair = -1; moves = [] } ~most:memory;
   }
+
+let text_of_mark events = String.concat " " (List.map string_of_int events)
+let mark_of_text text = List.filter_map int_of_string_opt (String.split_on_char ' ' text)
+
+let mark_of t events =
+  Common.common t.of_marks (Marks.number t.marks events) (fun own -> text_of_mark (Marks.get t.marks own))
+
+let events_of t mark =
+  Marks.get t.marks (Common.own t.of_marks mark (fun text -> Marks.number t.marks (mark_of_text text)))
+
+let share t table texts =
+  Common.share t.of_marks table ~kind:4 ~base:(Marks.size t.marks);
+  Catalogue.share t.catalogue table texts
+
+let numbers_so_far t = Int.max (Marks.size t.marks) (Catalogue.numbers_so_far t.catalogue)
 
 let network processes = State.make ~processes ~step:None ~time:None
 
@@ -90,13 +106,11 @@ let mark t ~source label =
   | [] -> 0
   | _ :: _ ->
     let happened = List.mapi (fun i e -> if Event.matches ~source label e then Some i else None) t.events in
-    Marks.number t.marks (List.filter_map Fun.id happened)
+    mark_of t (List.filter_map Fun.id happened)
 
 let has_events t = match t.events with [] -> false | _ :: _ -> true
 let events t = t.events
 
-let events_of t mark = Marks.get t.marks mark
-let mark_of t events = Marks.number t.marks events
 
 let place t event =
   let rec from i = function

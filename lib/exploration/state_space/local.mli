@@ -90,3 +90,9 @@ val after : t -> Rat.t -> alone -> int
 
 val collisions : t -> alone -> alone -> move list
 (** The outcomes of a collision of two processes in relative motion; empty if they do not collide now. *)
+
+val share : t -> Scc_graph_search.Common.t -> Catalogue.texts -> bool
+(** [share t table texts] is {!Catalogue.share} of the catalogue. Marks have the kind 4. *)
+
+val numbers_so_far : t -> int
+(** [numbers_so_far t] is more than any number that has been given, marks included. *)

@@ -20,7 +20,7 @@ type context = {
   joined : bool;  (** draws and lots of one instant are one transition *)
   codec : Scc_codec.State_codec.t Lazy.t;
   mutable given_up : Transition.fault list;  (** at the states seen so far, each once *)
-  mutable seen : Bytes.t;  (** a bit for each process: whether a state has been found that has it *)
+  seen : Entered.t;  (** the processes that states have which have been found *)
   mutable may_split : bool;  (** one of them may split at a split instant *)
 }
 
@@ -68,19 +68,11 @@ let make ?(events = []) ?(time_seen = Scc_property.Time_seen.Always) ?(quotient 
   let quotient = if joins then quotient else { quotient with isometries = [] } in
   let quotient = Quotient.within quotient (Local.catalogue local) in
   { local; quotient; walks; visible; initial; encounters; left; right; scene; draws; joined; given_up = [];
-    codec = lazy (Scc_codec.State_codec.make m initial); seen = Bytes.empty; may_split = false }
+    codec = lazy (Scc_codec.State_codec.make m initial); seen = Entered.create (); may_split = false }
 
 (* Processes that were only thought of, as targets of transitions that are not possible as yet, do not count. *)
 let enter c number =
-  let at = number lsr 3 and bit = 1 lsl (number land 7) in
-  if at >= Bytes.length c.seen then begin
-    let seen = Bytes.make (Int.max 1024 (2 * (at + 1))) '\000' in
-    Bytes.blit c.seen 0 seen 0 (Bytes.length c.seen);
-    c.seen <- seen
-  end;
-  let byte = Char.code (Bytes.unsafe_get c.seen at) in
-  if byte land bit = 0 then begin
-    Bytes.unsafe_set c.seen at (Char.unsafe_chr (byte lor bit));
+  if Entered.note c.seen number then begin
     let p = Catalogue.form (catalogue c) (Catalogue.body (catalogue c) number).form in
     if Option.is_some p.clock || Option.is_some (Lots.wait (model c) p) then c.may_split <- true
   end
@@ -91,6 +83,15 @@ let entered c changes =
     let number = changes.((2 * i) + 1) in
     if changes.(2 * i) < leaves && number <> Catalogue.nobody then enter c number
   done
+
+let has_entered c changes =
+  let leaves = Array.length (model c).leaves in
+  let is_known slot number = slot >= leaves || number = Catalogue.nobody || Entered.mem c.seen number in
+  let rec from i = i >= Array.length changes || (is_known changes.(i) changes.(i + 1) && from (i + 2)) in
+  from 0
+
+let share c table = Entered.share c.seen && Local.share c.local table (Texts.make c.codec)
+let numbers_so_far c = Local.numbers_so_far c.local
 
 let split_step c =
   match (model c).splits with

@@ -121,8 +121,10 @@ let number t n =
   let catalogue = Network_lts.catalogue t.asked.context in
   fun node offset ->
     let extent = Timed_graph.extent (Timed_graph.flow graph node) in
-    let state = Catalogue.decode catalogue (Graph.tuple t.graph node) in
-    Scc_evaluate.Trajectory.number_at (Scc_evaluate.Trajectory.make semantics state extent) n offset
+    let tuple = Graph.tuple t.graph node in
+    let arrived e = Network_lts.arrived t.asked.context e tuple in
+    let state = Catalogue.decode catalogue tuple in
+    Scc_evaluate.Trajectory.number_at (Scc_evaluate.Trajectory.make ~arrived semantics state extent) n offset
 
 (* The transitions of a state but for the passing of time, in the order of the graph. *)
 let counted t p =
@@ -170,7 +172,7 @@ let predicate t i = t.asked.props.(i)
 type sensitivity = {
   temporal : t;
   parameter : Sensitivity.parameter;
-  mutable known : ((Property.side * Timed_formula.t) * Sensitivity.result) list;
+  mutable known : ((Property.side * Timed_formula.t) * Scc_chance.Parametric.piece list Sensitivity.result) list;
   (** the functions of probabilities found so far: several checks may be about one *)
 }
 

@@ -75,13 +75,16 @@ val sensitivity : t -> Scc_calculus.Ranges.range -> sensitivity
 (** [sensitivity t range] is the graph of [t], which has no joint draws, for the values within the range. May raise
     {!Edge_functions.Ambiguous} or {!Edge_functions.Refused}. *)
 
-val probability_function : sensitivity -> int -> Property.side -> Scc_ctl.Sensitivity.result
+val probability_function :
+  sensitivity -> int -> Property.side -> Scc_chance.Parametric.piece list Scc_ctl.Sensitivity.result
 (** [probability_function s i side] is {!probability} as a function of the parameter. *)
 
-val mean_function : sensitivity -> int -> Property.side -> Property.mean -> Scc_ctl.Sensitivity.result
+val mean_function :
+  sensitivity -> int -> Property.side -> Property.mean ->
+  Scc_chance.Parametric.piece list Scc_ctl.Sensitivity.result
 (** [mean_function s i side mean] is {!mean} as a function of the parameter. *)
 
-val where : sensitivity -> int -> (Scc_chance.Dependence.set, Scc_ctl.Sensitivity.reason) result
+val where : sensitivity -> int -> Scc_chance.Dependence.set Scc_ctl.Sensitivity.result
 (** [where s i] is the values of the parameter for which the formula with this index holds. *)
 
 (** {1 Predicates} *)

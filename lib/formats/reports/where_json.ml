@@ -114,19 +114,30 @@ let where = write format
 let ends =
   all
     [
-      field "low" Shared.rational (fun (v : Piecewise.value) -> v.least);
-      field "high" Shared.rational (fun (v : Piecewise.value) -> v.most);
+      field "low" (nullable Shared.rational) (fun (e : Chances.ends) -> e.low);
+      field "high" (nullable Shared.rational) (fun (e : Chances.ends) -> e.high);
     ]
+
+(* An end that is not the same all over. *)
+let form_of end_ ((ranges : Ranges.t), (p : Chances.part)) =
+  match end_ p.value with
+  | Some f when not (Linear.is_constant f) -> Some (Ranges.name ranges, f)
+  | Some _ | None -> None
 
 let part =
   fields
     [
-      within (fun (_, (p : Chances.part)) -> p.value) ends;
+      within (fun (_, p) -> Chances.ends_of p) ends;
+      maybe "low_form" form_format (form_of (fun (v : Chances.value) -> v.least))
+        ~about:"Of a mean, if its lower bound depends on the parameters: as a function of them.";
+      maybe "high_form" form_format (form_of (fun (v : Chances.value) -> v.most))
+        ~about:"Of a mean, if its upper bound depends on the parameters: as a function of them.";
       within (fun (ranges, (p : Chances.part)) -> (ranges, p.set, Where.measure p.set)) set_fields;
     ]
   |> named "part"
-    "A probability, where low and high are one, or proved bounds of it; and the values of the parameters for \
-     which it is so, as disjoint polyhedra with their volume."
+    "A probability, where low and high are one, or proved bounds of it; or a mean, with its bounds over the part. \
+     A mean without a low is infinite, and without a high alone no upper bound is known. And the values of the \
+     parameters for which it is so, as disjoint polyhedra with their volume."
 
 type chances = { chances : Chances.t; with_parts : bool }
 

@@ -59,6 +59,9 @@ let suggest name candidates =
   List.fold_left better None candidates
   |> Option.map (fun (_, c) -> Printf.sprintf "did you mean `%s`?" c)
 
+let suggestion hint =
+  match String.split_on_char '`' hint with [ "did you mean "; name; "?" ] -> Some name | _ -> None
+
 let code_points s =
   let n = ref 0 in
   String.iter (fun c -> if Char.code c land 0xC0 <> 0x80 then incr n) s;

@@ -43,6 +43,9 @@ val suggest : string -> string list -> string option
     distance must be that of a likely slip: at most a third of the length of [name], or 1. Names of more than 64
     bytes get no hint. *)
 
+val suggestion : string -> string option
+(** [suggestion hint] is the name that a hint of {!suggest} suggests, and [None] for any other hint. *)
+
 val render : source:(string -> Source.t option) -> t -> string
 (** [render ~source d] is the text of [d] for people, of several lines that each end with a newline. It has the
     place [file:line:column], severity and code, the message, the first line of the span with carets under it,

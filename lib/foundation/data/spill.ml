@@ -78,6 +78,7 @@ let create kind left count =
       match from_slab kind left path count with Some table -> table | None -> here ())
   | Folder _ | Memory -> here ()
 
+let takes bytes = match !place with Folder { beyond; _ } -> !in_memory + bytes > beyond | Memory -> false
 let ints count = create int left_of_ints count
 let int32s count = create int32 left_of_int32s count
 let int16s count = create int16_signed left_of_int16s count

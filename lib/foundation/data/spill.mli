@@ -13,6 +13,9 @@ val to_folder : string -> beyond:int -> unit
 val nowhere : unit -> unit
 (** [nowhere ()] lets later tables be made in memory; this is also how the program starts. *)
 
+val takes : int -> bool
+(** [takes bytes] is true if not all of so many bytes more would be made in memory. *)
+
 val ints : int -> (int, int_elt, c_layout) Array1.t
 (** [ints n] is a new table of [n] numbers of 8 bytes, with unspecified contents. *)
 

@@ -218,6 +218,7 @@ end
 module Over_zones = Terms.Make (View)
 
 let truth = Over_zones.prop
+let number = Over_zones.num
 
 let possible c prop v =
   List.filter_map (fun (p, t) -> if Truth.equal t Truth.False then None else Some p) (truth c prop v)

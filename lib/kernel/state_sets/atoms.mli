@@ -20,5 +20,9 @@ val truth : context -> Property.prop -> view -> (Polyhedron.t * Scc_ctl.Truth.t)
     the predicate on each. It is undecided, with a reason, where a number is compared that is not affine, or
     undefined. *)
 
+val number : context -> Property.num -> view -> (Polyhedron.t * (Linear.t, string) result) list
+(** [number c num view] are such regions with the number on each, as a form over the variables of the zone; or the
+    reason why it is not affine there, or undefined. *)
+
 val possible : context -> Property.prop -> view -> Polyhedron.t list
 (** [possible c prop v] are regions that contain all states of [v] in which [prop] is not known to be false. *)

@@ -106,7 +106,7 @@ let of_declared read source (at : Span.t) (ds : Declared.t list) =
 let of_meaning read source uses (u : Scope.use) =
   let name = u.name.it in
   match Lazy.force u.meaning with
-  | Declared ds -> of_declared read source u.name.at ds
+  | Declared ds | Alike ds -> of_declared read source u.name.at ds
   | Channel -> Some ("channel", of_channel uses name, None)
   | Word e -> Some (e.kind, of_word e, None)
   | Of_module { source = Some (i, _); name = at; _ } ->
@@ -178,21 +178,6 @@ let by_spelling (t : Tokens.t) (uses : Uses.t) i (name : Ast.name) =
 
 (* {1 At an offset} *)
 
-(* Which one the offset is in, and which one ends there. *)
-let tokens_at (t : Tokens.t) offset =
-  let count = Array.length t.tokens - 1 in
-  (* the first that ends after the offset *)
-  let rec search low high =
-    if low >= high then low
-    else
-      let middle = (low + high) / 2 in
-      if t.tokens.(middle).stop > offset then search low middle else search (middle + 1) high
-  in
-  let i = search 0 count in
-  let within i = i < count && t.tokens.(i).start <= offset in
-  let ends i = i >= 0 && t.tokens.(i).stop = offset in
-  List.filter within [ i ] @ List.filter ends [ i - 1 ]
-
 let at_token read source (t : Tokens.t) uses i =
   let token = t.tokens.(i) in
   let at = Span.make ~file:(Source.name source) ~start:token.start ~stop:token.stop in
@@ -213,12 +198,9 @@ let at_token read source (t : Tokens.t) uses i =
   | None, (NAME it | BARRED it) -> spelt it
   | None, _ -> word ()
 
-let find ~read_module:read source =
-  let tokens = Tokens.read source in
-  let uses =
-    lazy
-      (let model = Scc_notation.Notation.readable source in
-       Uses.of_model (Declared.of_model model) model)
-  in
-  fun offset ->
-    List.find_map (fun i -> at_token read source tokens (Lazy.force uses) i) (tokens_at tokens offset)
+let at ~read_module:read (r : Reading.t) offset =
+  let tokens = Lazy.force r.tokens in
+  let one i = at_token read r.source tokens (Lazy.force r.uses) i in
+  List.find_map one (Reading.tokens_at tokens offset)
+
+let find ~read_module source = at ~read_module (Reading.make source)

@@ -12,7 +12,9 @@ type t = {
   declared : Span.t option;  (** the place of its name in its declaration, or of the import of its module *)
 }
 
+val at : read_module:(library:bool -> string -> string option) -> Reading.t -> int -> t option
+(** [at ~read_module reading offset] describes the name or word that contains the offset of a byte or ends there.
+    [read_module] returns the texts of imports, if there are any. *)
+
 val find : read_module:(library:bool -> string -> string option) -> Source.t -> int -> t option
-(** [find ~read_module source offset] describes the name or word that contains the offset of a byte or ends
-    there. [read_module] returns the texts of imports, if there are any. A partial application
-    [find ~read_module source] reads the text once for all offsets. *)
+(** [find ~read_module source] is {!at} of the text of a source, which is read once for all offsets. *)

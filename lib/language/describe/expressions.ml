@@ -216,10 +216,10 @@ and follow t m rest =
   match rest with
   | [] -> ()
   | ({ name; _ } : Ast.segment) :: rest ->
-    let inside = match m with Declared ds -> ds | _ -> [] in
+    let inside = match m with Declared ds | Alike ds -> ds | _ -> [] in
     let is_value = function { Declared.kind = Value | Parameter | Argument | Index; _ } -> true | _ -> false in
     let axis () = if List.exists is_value inside then word Component name.it else None in
-    let m = first [ axis; in_some t inside name.it; among t.all.features name.it; (fun () -> Some Feature) ] in
+    let m = first [ axis; in_some t inside name.it; alike t name.it; (fun () -> Some Feature) ] in
     known t name m;
     follow t m rest
 
@@ -239,4 +239,4 @@ and meanings t c role name ~alone =
   | Body -> [ variable; bodies; local; templates; bare ]
   | Over -> [ templates; bodies; local ]
   | Kind -> [ local; behaviours; bodies ]
-  | Number -> [ local; bare; bodies; templates; behaviours; among t.all.values name; among t.all.features name ]
+  | Number -> [ local; bare; bodies; templates; behaviours; among t.all.values name; alike t name ]

@@ -3,6 +3,7 @@ open Scc_syntax
 
 type meaning =
   | Declared of Declared.t list
+  | Alike of Declared.t list
   | Channel
   | Word of Vocabulary.entry
   | Of_module of Declared.t
@@ -23,6 +24,7 @@ type t = {
   mutable passed : (string * channel_use * meaning Lazy.t) list;  (* arguments that may be channels *)
   arguments : (int, passed) Hashtbl.t;  (* by where an argument is declared *)
   families : (string, Ast.name list) Hashtbl.t;  (* behaviours and their arguments *)
+  wearers : Wearers.t;
 }
 
 module Names = Map.Make (String)
@@ -91,14 +93,18 @@ let in_some t within name () =
   | [] -> None
   | found -> Some (Declared found)
 
+let alike t name () =
+  match Declared.find t.all.features name with [] -> None | found -> Some (Alike found)
+
 let feature_name t (c : context) name ~alone =
   let of_argument () = Option.map (fun d -> Declared [ d ]) (argument c name) in
   let body () = if alone then None else among t.all.bodies name () in
-  first [ in_some t c.within name; of_argument; body; among t.all.features name; (fun () -> Some Feature) ]
+  first [ in_some t c.within name; of_argument; body; alike t name; (fun () -> Some Feature) ]
 
-let make all =
+let make all wearers =
   {
     all;
+    wearers;
     uses = Hashtbl.create 256;
     channels = Hashtbl.create 16;
     passed = [];

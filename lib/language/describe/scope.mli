@@ -6,6 +6,8 @@ open Scc_syntax
 (** The meaning of a name. *)
 type meaning =
   | Declared of Declared.t list  (** the likeliest first; all declarations of a family *)
+  | Alike of Declared.t list
+  (** features of this name, one of which may be meant: the solid that is meant is not known *)
   | Channel
   | Word of Vocabulary.entry
   | Of_module of Declared.t  (** a name that this import brings *)
@@ -32,6 +34,7 @@ type t = {
   mutable passed : (string * channel_use * meaning Lazy.t) list;  (** arguments that may be channels *)
   arguments : (int, passed) Hashtbl.t;  (** by the offset of the declaration of the argument *)
   families : (string, Ast.name list) Hashtbl.t;  (** behaviours and their arguments *)
+  wearers : Wearers.t;
 }
 
 module Names : Map.S with type key = string
@@ -44,7 +47,7 @@ type context = {
   owner : string;  (** the name of the declaration around it *)
 }
 
-val make : Declared.all -> t
+val make : Declared.all -> Wearers.t -> t
 (** No names yet, in a text with these declarations. *)
 
 val nowhere : context
@@ -84,6 +87,9 @@ val local : context -> string -> unit -> meaning option
 
 val among : Declared.table -> string -> unit -> meaning option
 (** The declarations of a name in a table. *)
+
+val alike : t -> string -> unit -> meaning option
+(** All features of this name, of whatever template. *)
 
 val in_some : t -> Declared.t list -> string -> unit -> meaning option
 (** [in_some t ds name] finds a feature, part or body of this name inside one of the declarations [ds]. Images

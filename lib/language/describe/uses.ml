@@ -77,7 +77,7 @@ let feature t c (f : Ast.feature) =
     in
     let within =
       match Option.bind prefix last with
-      | Some { meaning = (lazy (Declared ds)); _ } -> ds
+      | Some { meaning = (lazy (Declared ds | Alike ds)); _ } -> ds
       | Some _ | None -> c.within
     in
     List.iter (feature_path t { c with within }) corners
@@ -314,8 +314,14 @@ and plain t c (i : Ast.item) =
     ignore (declare t h.declared);
     Hashtbl.add t.families h.declared.it h.formals;
     Option.iter (template t c) on;
-    let templates (r : Ast.reference) = Declared.find t.all.templates r.target.it in
-    let within = Option.fold ~none:[] ~some:templates on in
+    let templates (r : Ast.reference) =
+      match r.qualifier with
+      | None -> Declared.find t.all.templates r.target.it
+      | Some _ -> []
+    in
+    let wearer solid = Declared.make Leaf h.declared ~solid "" in
+    let of_wearers () = List.map wearer (Wearers.solids t.wearers h.declared.it) in
+    let within = match on with Some r -> templates r | None -> of_wearers () in
     behaviour t (definitions t (head t { c with within; owner = h.declared.it } h i.at) h ds) b
   | Process (s, one, rest) | Fixed (s, one, rest) -> process t c s one rest
   | Bond b -> bond t c b
@@ -335,7 +341,7 @@ and plain t c (i : Ast.item) =
 type t = Scope.t
 
 let of_model all (model : Ast.model) =
-  let t = make all in
+  let t = make all (Wearers.of_model model) in
   ignore (List.fold_left (item t) nowhere model);
   t
 

@@ -85,8 +85,8 @@ let enter t declared label env owner key =
   Queue.add (i, entry) t.pending;
   i
 
-let unknown t r reference =
-  Family.report_unknown t.c.report "behaviour" (Family.keys t.program.behaviours) r reference
+let unknown t env r reference =
+  Family.report_unknown t.c.report env "behaviour" (Family.keys t.program.behaviours) r reference
 
 (* The instance [label] on the owner's shape. *)
 let request_instance t owner at (declared : Program.behaviour) label env =
@@ -108,10 +108,10 @@ let request t env owner (r : Ast.reference) =
   let*? reference = Family.reference t.c.report env r in
   match Family.find t.program.behaviours reference with
   | _ when Family.is_open reference ->
-    if not (Family.has t.program.behaviours reference) then unknown t r reference;
+    if not (Family.has t.program.behaviours reference) then unknown t env r reference;
     None
   | None ->
-    unknown t r reference;
+    unknown t env r reference;
     None
   | Some declared ->
     let env = Family.bind declared.env declared.formals reference.arguments in
@@ -327,7 +327,7 @@ let rec check_names t env (b : Ast.behaviour) =
   | Name r ->
     Option.iter
       (fun reference ->
-         if not (Family.has t.program.behaviours reference) then unknown t r reference)
+         if not (Family.has t.program.behaviours reference) then unknown t env r reference)
       (Family.reference t.c.report env r)
 
 (* The names that may be unfolded without anything happening; a delay that is no literal zero guards. *)

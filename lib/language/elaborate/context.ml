@@ -93,7 +93,7 @@ let create ~read_file =
     families = Hashtbl.create 16;
     sources = Hashtbl.create 16;
     nesting = 0;
-    root = Env.root (Env.scope ~prefix:"" ~file:"");
+    root = Env.root (Env.scope ~prefix:"" ~file:"" ());
     point = [||];
     obstacles = Obstacle_cache.create ();
     fresh;

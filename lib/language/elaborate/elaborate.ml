@@ -17,6 +17,7 @@ type t = {
   premises : Property.check list;
   lattices : Lattices.t list;
   warnings : Diag.t list;
+  values : (Span.t * string) list;
   kept : kept;
 }
 
@@ -79,6 +80,21 @@ let warn_of_uses c program =
   Templates.warn_off_centre c;
   warn_unused c program
 
+(* What has a value in itself, in the words of the language. *)
+let values (program : Program.t) =
+  let shown (_, _, (b : Env.binding)) =
+    let text =
+      match b.value with
+      | Number q -> Some (Rat.to_string q)
+      | Truth t -> Some (string_of_bool t)
+      | Vector v -> Some (Vec.to_string v)
+      | Affine f -> Some (Form.to_string f)
+      | Open _ | Word _ | Macro _ | Leaf _ | Unknown -> None
+    in
+    Option.map (fun text -> (b.span, text)) text
+  in
+  List.filter_map shown program.values
+
 (* Everything is in order. *)
 let build (c : Context.t) bodies (composition : Composition.t) joints initial written later =
   let program = later.program and checks, premises = later.own in
@@ -124,6 +140,7 @@ let build (c : Context.t) bodies (composition : Composition.t) joints initial wr
     premises;
     lattices = composition.lattices;
     warnings = Report.warnings c.report;
+    values = values program;
     kept = { later with ended };
   }
 

@@ -23,6 +23,9 @@ type t = {
   (** the premises without which checks hold vacuously ({!Premises}), each with the name of its check *)
   lattices : Lattices.t list;  (** of the bodies that diffuse *)
   warnings : Diag.t list;
+  values : (Span.t * string) list;
+  (** the exact values of parameters and of lets that have one by themselves, each with the place of its name. A
+      name within a loop has several. *)
   kept : kept;  (** for {!with_checks} *)
 }
 

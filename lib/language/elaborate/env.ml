@@ -20,16 +20,18 @@ and t = { values : binding Names.t; scope : scope }
 and scope = {
   prefix : string;
   file : string;
+  missing : bool;
   modules : (string, scope) Hashtbl.t;
   chosen : (string, string) Hashtbl.t;
   top : (string, binding) Hashtbl.t;
   declared : (string, unit) Hashtbl.t;
 }
 
-let scope ~prefix ~file =
+let scope ?(missing = false) ~prefix ~file () =
   {
     prefix;
     file;
+    missing;
     modules = Hashtbl.create 4;
     chosen = Hashtbl.create 4;
     top = Hashtbl.create 16;
@@ -63,6 +65,9 @@ let global env qualifier name =
       | Some global -> Some global
       | None -> Some (env.scope.prefix ^ name))
   | Some q -> Option.map (fun m -> m.prefix ^ name) (Hashtbl.find_opt env.scope.modules q)
+
+let is_missing env qualifier =
+  match Hashtbl.find_opt env.scope.modules qualifier with Some m -> m.missing | None -> false
 
 let scope_of env = env.scope
 let is_own env = String.equal env.scope.prefix ""

@@ -33,14 +33,16 @@ and t
 and scope = {
   prefix : string;  (** of the global names of what it declares; empty for the model *)
   file : string;  (** its path, relative to the folder of the model *)
+  missing : bool;  (** it cannot be read *)
   modules : (string, scope) Hashtbl.t;  (** by the qualifiers of its imports *)
   chosen : (string, string) Hashtbl.t;  (** names chosen from imports, with the global ones *)
   top : (string, binding) Hashtbl.t;  (** its values outside loops *)
   declared : (string, unit) Hashtbl.t;  (** its shapes and behaviours, families by their bare name *)
 }
 
-val scope : prefix:string -> file:string -> scope
-(** [scope ~prefix ~file] is a text without declarations or imports. *)
+val scope : ?missing:bool -> prefix:string -> file:string -> unit -> scope
+(** [scope ~prefix ~file ()] is a text without declarations or imports. With [missing] it stands for a text that
+    cannot be read, which has been reported. *)
 
 val root : scope -> t
 (** [root scope] is the environment at the start of a text: no values. *)
@@ -64,6 +66,9 @@ val is_module : t -> string -> bool
 val global : t -> string option -> string -> string option
 (** [global env qualifier name] is the global name of a shape or behaviour. It is [None] if the qualifier is
     unknown; there need not be a declaration of that name. *)
+
+val is_missing : t -> string -> bool
+(** [is_missing env qualifier] is true if the import with this qualifier cannot be read. *)
 
 val scope_of : t -> scope
 (** The text to which the environment belongs. *)

@@ -196,8 +196,21 @@ let listed import names =
     let quoted = List.map (Printf.sprintf "`%s`") names in
     Some (Printf.sprintf "`%s` has %s" import (String.concat ", " quoted))
 
+(* The same name in imports of the text, or in a module that it might import. *)
+let qualified env what known (r : Ast.reference) =
+  let name = r.target.it in
+  let declares import =
+    match Env.global env (Some import) name with Some key -> List.mem key known | None -> false
+  in
+  let written import = Printf.sprintf "`%s.%s`" import name in
+  match (List.filter declares (Env.modules env), Library.declaring what name) with
+  | (_ :: _ as imports), _ -> Some ("did you mean " ^ String.concat " or " (List.map written imports) ^ "?")
+  | [], Some library when not (Env.is_module env library) ->
+    Some (Printf.sprintf "%s is in a module of scc: say `import <%s>`" (written library) library)
+  | [], _ -> None
+
 (* What is known under a bare name, as it would be written. *)
-let report_unknown report what keys (r : Ast.reference) (reference : reference) =
+let report_unknown report env what keys (r : Ast.reference) (reference : reference) =
   let of_family = bare reference.label in
   let instances = List.filter (fun key -> String.equal (bare key) of_family) keys in
   match instances with
@@ -209,13 +222,16 @@ let report_unknown report what keys (r : Ast.reference) (reference : reference) 
         let written name = import.it ^ "." ^ name in
         [ Diag.suggest (written r.target.it) (List.map written names); listed import.it names ]
       | Some _, [] | None, _ -> (
-          match Diag.suggest of_family known with
-          | Some hint -> [ Some hint ]
-          | None -> [ Diag.suggest r.target.it known ])
+          let of_import = if Option.is_none r.qualifier then qualified env what known r else None in
+          match (of_import, Diag.suggest of_family known) with
+          | Some hint, _ | None, Some hint -> [ Some hint ]
+          | None, None -> [ Diag.suggest r.target.it known ])
     in
     let hints = List.filter_map Fun.id hints in
     let hint = match hints with [] -> None | _ -> Some (String.concat " " hints) in
-    Report.error report Code.unknown_name r.target.at ?hint "unknown %s `%s`" what reference.label
+    let is_missing (q : Ast.name) = Env.is_missing env q.it in
+    if not (Option.fold ~none:false ~some:is_missing r.qualifier) then
+      Report.error report Code.unknown_name r.target.at ?hint "unknown %s `%s`" what reference.label
   | _ :: _ ->
     Report.error report Code.unknown_name r.target.at "unknown %s `%s`; declared is %s" what reference.label
       (String.concat ", " (List.map (Printf.sprintf "`%s`") instances))

@@ -5,3 +5,7 @@ val names : string list
 
 val find : string -> string option
 (** The text of a module. *)
+
+val declaring : string -> string -> string option
+(** [declaring kind name] is the module that declares a ["template"] or a ["behaviour"] of this name, at the
+    beginning of a line of its text. *)

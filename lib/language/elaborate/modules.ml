@@ -100,7 +100,7 @@ let parse t report ~read path text at =
     List.iter (Report.add report) faults;
     None
   | Ok items ->
-    let scope = Env.scope ~prefix:(prefix t path) ~file:path in
+    let scope = Env.scope ~prefix:(prefix t path) ~file:path () in
     let depth = Report.create () in
     Limits.check_depth depth items;
     if Report.failed depth then begin
@@ -197,7 +197,7 @@ let import t report ~read_file ~read env (i : Ast.import) =
   | None, Qualified name ->
     (* after an error what is qualified by it is not reported as well *)
     let n = match name with Some n -> n | None -> { i.from with it = base i.from.it } in
-    Hashtbl.replace here.modules n.it (Env.scope ~prefix:(n.it ^ ".") ~file:i.from.it);
+    Hashtbl.replace here.modules n.it (Env.scope ~missing:true ~prefix:(n.it ^ ".") ~file:i.from.it ());
     env
   | None, Chosen _ -> env
   | Some scope, Qualified name ->

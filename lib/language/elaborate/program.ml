@@ -391,7 +391,7 @@ let file_of (model : Ast.model) =
 
 let read c ~overrides ~narrowed ?parametric model =
   let g = gather c overrides narrowed parametric in
-  c.root <- Env.root (Env.scope ~prefix:"" ~file:(file_of model));
+  c.root <- Env.root (Env.scope ~prefix:"" ~file:(file_of model) ());
   Modules.start g.modules (Env.scope_of c.root) model;
   let after = List.fold_left (item g) (at_top c.root) model in
   Overrides.check g.overrides c.report Span.none;

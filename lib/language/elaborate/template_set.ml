@@ -76,7 +76,7 @@ and named c report depth env (r : Ast.reference) =
       | Some ifs -> ifs
       | None when Hashtbl.mem c.templates reference.label -> is_compound ()
       | None ->
-        Family.report_unknown report "template" (Family.keys c.sources) r reference;
+        Family.report_unknown report env "template" (Family.keys c.sources) r reference;
         None)
 
 (* A name as on the command line: [Cube], [m.Cube], [Brick(1, 2, 3)]. *)

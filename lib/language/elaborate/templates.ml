@@ -180,7 +180,7 @@ let known (c : Context.t) (reference : Family.reference) =
     Some t.shape
   | None -> None
 
-let find_known (c : Context.t) (r : Ast.reference) (reference : Family.reference) =
+let find_known (c : Context.t) env (r : Ast.reference) (reference : Family.reference) =
   match (known c reference, Family.find c.families reference) with
   | Some shape, _ -> shape
   | None, Some _ when Family.is_open reference -> None
@@ -195,12 +195,12 @@ let find_known (c : Context.t) (r : Ast.reference) (reference : Family.reference
             { Context.shape; span = r.target.at; own = false; used = true };
         shape
       | None ->
-        Family.report_unknown c.report "template" (Context.template_names c @ Solids.names) r reference;
+        Family.report_unknown c.report env "template" (Context.template_names c @ Solids.names) r reference;
         None)
 
 let find (c : Context.t) env (r : Ast.reference) =
   let*? reference = Family.reference c.report env r in
-  find_known c r reference
+  find_known c env r reference
 
 let resolve_corners (c : Context.t) index (face : Ast.name) corners =
   let names () = Hashtbl.fold (fun name _ all -> name :: all) index [] |> List.sort String.compare in

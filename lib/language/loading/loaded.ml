@@ -18,6 +18,7 @@ type t = {
   families : Scc_elaborate.Repeated.t;
   lattices : Scc_elaborate.Lattices.t list;
   warnings : Diag.t list;
+  values : (Span.t * string) list;
   at_values : (string * Rat.t) list -> (t, Diag.t list) result;
   beside : Scc_syntax.Ast.model -> (t, Diag.t list) result;
 }
@@ -45,7 +46,7 @@ let rec of_tree ~read_file ~overrides ?narrowed ?parametric source tree =
   let rec loaded items elaborated =
     let* (e : Scc_elaborate.Elaborate.t) = Result.map_error (fun errors -> errors @ misleading) elaborated in
     let { Scc_elaborate.Elaborate.model; declared; uncertain; parameter; checks; premises; families; lattices;
-          warnings; _ } = e
+          warnings; values; _ } = e
     in
     let warnings = misleading @ warnings in
     let settings =
@@ -59,7 +60,7 @@ let rec of_tree ~read_file ~overrides ?narrowed ?parametric source tree =
     Ok
       {
         source; origin; semantics = Standard.of_model model; model; declared; uncertain; parameter; checks;
-        premises; families; lattices; warnings; at_values; beside;
+        premises; families; lattices; warnings; values; at_values; beside;
       }
   in
   loaded [] elaborated

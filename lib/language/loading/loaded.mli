@@ -24,6 +24,7 @@ type t = {
   families : Scc_elaborate.Repeated.t;  (** those of loops, be they empty or not *)
   lattices : Scc_elaborate.Lattices.t list;  (** of the bodies that diffuse *)
   warnings : Diag.t list;
+  values : (Span.t * string) list;  (** as {!Scc_elaborate.Elaborate.t} has them *)
   at_values : (string * Rat.t) list -> (t, Diag.t list) result;  (** see {!at} *)
   beside : Scc_syntax.Ast.model -> (t, Diag.t list) result;  (** see {!with_checks} *)
 }

@@ -78,7 +78,7 @@ let misspelt_before (t : Tokens.t) i =
   | _ -> None
 
 (* Words that are nowhere names, or not where an operator can stand. *)
-let is_word text = List.exists (fun (word, _) -> String.equal word text) Lexer.words
+let is_word = Tokens.is_word
 
 (* Words that ask for something after them, which is what is missing when they are followed by something else. *)
 let asks : Parser.token -> bool = function
@@ -102,6 +102,11 @@ let meant_as_name (t : Tokens.t) source (f : failure) =
     no_name (text (f.index - 1))
   else None
 
+let product_hint = "a product is written with `*`, as in `2*i`"
+
+let joined_hint hint =
+  match String.split_on_char '`' hint with [ ""; word; " is one word" ] -> Some word | _ -> None
+
 let hint (t : Tokens.t) source (f : failure) =
   let after_number =
     adjacent t f.index && (match t.tokens.(f.index - 1).token with NUMBER _ -> true | _ -> false)
@@ -109,7 +114,7 @@ let hint (t : Tokens.t) source (f : failure) =
   let before = if f.index > 0 then t.tokens.(f.index - 1).token else EOF in
   match t.tokens.(f.index).token with
   | token when after_number && Tokens.can_be_name token ->
-    Some "a product is written with `*`, as in `2*i`"
+    Some product_hint
   | DOT when after_number -> Some "a decimal point is followed by a digit"
   | DOT when f.accepts (NUMBER Rat.one) -> Some "a number begins with a digit, as in `0.5`"
   | LETTER l when Option.is_some (quantifying before) ->

@@ -13,6 +13,13 @@ open Scc_base
 val max_errors : int
 (** The most errors that one reading returns: 20. *)
 
+val product_hint : string
+(** The hint of the error for a product without its sign, such as [2i]. *)
+
+val joined_hint : string -> string option
+(** [joined_hint hint] is the word, such as [AF], of which a hint says that its two letters are one word; [None]
+    for any other hint. *)
+
 val parse : Source.t -> (Ast.model, Diag.t list) result
 (** Reads a whole model. A text without declarations is an error (SC0112). *)
 

@@ -303,6 +303,8 @@ let not_text file fault =
   in
   Diag.error Code.not_text (Span.make ~file ~start:at ~stop:(at + size)) "%s" message
 
+let is_word text = List.exists (fun (word, _) -> String.equal word text) Lexer.words
+
 let read ?(rewrite = fun tokens -> (tokens, [])) source =
   let file = Source.name source and text = Source.text source in
   let read, trivia, faults =

@@ -34,6 +34,9 @@ val can_be_name : Parser.token -> bool
 (** [can_be_name t] is true for a name and for the words that can be names as well. Some of these can be names
     only where no operator can stand. *)
 
+val is_word : string -> bool
+(** [is_word text] is true for the words of the language, even for those that can be names as well. *)
+
 val read : ?rewrite:(token array -> token array * Diag.t list) -> Source.t -> t
 (** Reads a text into tokens; it never fails. Text that does not belong to the language is left out of [tokens]
     and reported in [faults] (SC0102, SC0104 to SC0107, SC0111). After SC0102 or SC0111 the text must not be

@@ -15,6 +15,8 @@ type t = {
 type value = Finite of Rational_function.t | Infinite
 type piece = { low : Algebraic.t; high : Algebraic.t; value : value }
 type given_up = Solver of Exact_solver.given_up | Too_many of int | Interrupted
+type found = { pieces : piece list; values : (Rat.t * Rat.t) list }
+type stopped = { why : given_up; found : found }
 
 module Functions = Hashtbl.Make (Rational_function)
 
@@ -192,7 +194,11 @@ type work = {
   asked : int;
   of_choice : int -> over;
   fraction : int -> Rat.t;
+  mutable kept : piece list;
+  mutable single : (Rat.t * Rat.t) list;  (** least or greatest values, the last one first *)
 }
+
+let keep w v value = w.single <- (v, value) :: w.single
 
 let most_samples = 20_000
 
@@ -273,6 +279,7 @@ let functions w (e : Equations.t) ~row =
   let compute v =
     let e = equations w v in
     let value = solver (Exact_solver.evaluate e w.effort ~row) in
+    if is_chain e then keep w v value.(start);
     let gain r = Rat.sub (Equations.row_sum e (Array.get value) r) value.(node.(r)) in
     Array.append [| value.(start) |] (Array.map gain others)
   in
@@ -307,7 +314,8 @@ let stays w ~from ~until v gains =
 (* The piece around a value. A value at which a gain is 0 is followed by a smaller one. *)
 let rec piece w ~from ~until v tries =
   let e = equations w v in
-  let { Exact_solver.row; _ } = solver (Exact_solver.solve e w.effort) in
+  let { Exact_solver.row; value } = solver (Exact_solver.solve e w.effort) in
+  keep w v value.(Equations.node_of e w.asked);
   let value, gains = functions w e ~row in
   match stays w ~from ~until v gains with
   | Some (low, high) -> { low; high; value = Finite value }
@@ -325,6 +333,7 @@ let over w ~from ~until =
     | Found p :: rest -> go rest (p :: found)
     | Left (from, until) :: rest ->
       let p = piece w ~from ~until (Algebraic.between from until) 100 in
+      w.kept <- p :: w.kept;
       go (some from p.low @ (Found p :: some p.high until) @ rest) found
   in
   go (some from until) []
@@ -337,7 +346,9 @@ let same a b =
 
 let joined pieces =
   let add done_ p =
-    match done_ with last :: rest when same last p -> { last with high = p.high } :: rest | _ -> p :: done_
+    match done_ with
+    | last :: rest when same last p && Algebraic.equal last.high p.low -> { last with high = p.high } :: rest
+    | _ -> p :: done_
   in
   List.rev (List.fold_left add [] pieces)
 
@@ -349,11 +360,15 @@ let solve (p : t) (problem : Solution.problem) effort ~asked =
   | Known x -> whole (Finite (Rational_function.constant x))
   | Elsewhere -> whole Infinite
   | Open -> (
-      let w = { p; problem; effort; asked; of_choice = degrees p; fraction = fractions () } in
+      let fraction = fractions () and of_choice = degrees p in
+      let w = { p; problem; effort; asked; of_choice; fraction; kept = []; single = [] } in
       let v = sample_point w 0 in
       try
         let e = equations w v in
         if is_chain e then whole (Finite (fst (functions w e ~row:(Array.init e.size (Equations.first_row e)))))
         else
           Ok (joined (over w ~from:(Algebraic.of_rat p.low) ~until:(Algebraic.of_rat p.high)))
-      with Given_up why -> Error why)
+      with Given_up why ->
+        let by_place a b = Algebraic.compare a.low b.low in
+        let pieces = joined (List.sort by_place w.kept) in
+        Error { why; found = { pieces; values = List.rev w.single } })

@@ -33,7 +33,12 @@ type given_up =
   | Too_many of int  (** so many exact values would be needed *)
   | Interrupted
 
-val solve : t -> Solution.problem -> Effort.t -> asked:int -> (piece list, given_up) result
+(** What was found before that: pieces on parts of the interval, by their places, and values at single points. *)
+type found = { pieces : piece list; values : (Rat.t * Rat.t) list }
+
+type stopped = { why : given_up; found : found }
+
+val solve : t -> Solution.problem -> Effort.t -> asked:int -> (piece list, stopped) result
 (** [solve p problem effort ~asked] is the value of state [asked]: pieces that join each other, with different
     functions, from the low end of the interval to its high end. Where two pieces meet both functions have the same
     value. *)

@@ -324,6 +324,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
       !result
 
   let visitor observe monitors settled : Graph.visitor =
+    let observe_all g i tuple = Option.iter (fun observe -> observe g i tuple) observe in
+    let is_false = function Truth.False -> true | True | Undecided _ -> false in
     let rest_settled = ref (match settled with None -> true | Some _ -> false) in
     let look = Option.map at_doublings settled in
     let on_edges g i tuple edges =
@@ -335,7 +337,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     {
       found =
         (fun g i tuple ->
-           observe g i tuple;
+           observe_all g i tuple;
            List.iter (fun m -> found m g i tuple) monitors);
       opened = (if sees_edges then Some on_edges else None);
       earlier = (fun g i -> List.iter (fun m -> earlier m g i) monitors);
@@ -349,6 +351,10 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
            match (monitors, look) with
            | [], None -> true
            | _ -> (not !rest_settled) || List.exists asks monitors);
+      dull =
+        (fun tuple ->
+           Option.is_none observe
+           && List.for_all (fun m -> m.decided || is_false (m.question.goal.at tuple)) monitors);
       enough =
         (fun () ->
            match (monitors, look) with
@@ -356,7 +362,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
            | _ -> !rest_settled && List.for_all (fun m -> m.decided) monitors);
     }
 
-  let run ?(observe = fun _ _ _ -> ()) ?(order = Graph.By_steps) ?keep_edges ?expanding ?settled ~rests limits
+  let run ?observe ?(order = Graph.By_steps) ?keep_edges ?expanding ?settled ~rests limits
       around context questions =
     let by_time = match order with Graph.By_time -> true | By_steps -> false in
     let monitors = List.map (monitor rests by_time) questions in

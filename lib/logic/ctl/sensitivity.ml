@@ -4,7 +4,11 @@ open Decisions
 
 type parameter = { low : Rat.t; high : Rat.t; drawn : int -> Rational_function.t option array option }
 type reason = Interrupted | Unknown of string
-type result = (Parametric.piece list, reason) Stdlib.result
+type failure = { reason : reason; found : Parametric.found }
+type 'a result = ('a, failure) Stdlib.result
+
+let nothing : Parametric.found = { pieces = []; values = [] }
+let without_any reason = Error { reason; found = nothing }
 
 (* {1 The process with functions} *)
 
@@ -66,14 +70,24 @@ let solve e k built ~choices problem =
   | [ start ] -> (
       match Parametric.solve p (problem until) (Eval.effort e) ~asked:start with
       | Ok pieces -> Ok pieces
-      | Error why -> Error (reason why))
+      | Error { why; found } -> Error { reason = reason why; found })
   | _ -> Scc_base.Bug.fail __POS__ "a value from one place"
 
-let map f (pieces : Parametric.piece list) =
+let map_pieces f (pieces : Parametric.piece list) =
   let of_piece (p : Parametric.piece) =
     match p.value with Finite g -> { p with value = Parametric.Finite (f g) } | Infinite -> p
   in
   List.map of_piece pieces
+
+(* A function of the value, on what was found of it, too. *)
+let map f solved : Parametric.piece list result =
+  let at_value (x, y) =
+    Option.map (fun z -> (x, z)) (Rational_function.to_constant (f (Rational_function.constant y)))
+  in
+  match solved with
+  | Ok pieces -> Ok (map_pieces f pieces)
+  | Error { reason; found = { pieces; values } } ->
+    Error { reason; found = { pieces = map_pieces f pieces; values = List.filter_map at_value values } }
 
 (* {1 Values} *)
 
@@ -91,7 +105,7 @@ let rec has_chance (f : Timed_formula.t) =
 (* {!Eval} has the truth of a probability at one value of the parameter, which says nothing of the others. *)
 let within_another = Unknown "a probability within another operator may hold for some values alone"
 
-let of_operands fs found = if List.exists has_chance fs then Error within_another else found ()
+let of_operands fs found = if List.exists has_chance fs then without_any within_another else found ()
 
 let probability e k side f =
   match Eval.as_until e f with
@@ -109,13 +123,12 @@ let probability e k side f =
     let choices, built = question false (left.lower, right.lower) in
     let _, otherwise = question true (left.upper, right.upper) in
     (* What is not known does not matter if it makes no difference. *)
-    if not (same_process built otherwise) then Error unknown
+    if not (same_process built otherwise) then without_any unknown
     else
       let problem until = Reach.problem until (direction side) in
       let complement = map (fun g -> Rational_function.(sub one g)) in
-      Result.map
-        (fun pieces -> if flipped then complement pieces else pieces)
-        (solve e k built ~choices problem)
+      let solved = solve e k built ~choices problem in
+      if flipped then complement solved else solved
 
 let operands (what : Expectation.what) =
   match what with Time_until g | Counts_until (_, g) -> [ g ] | Value_at _ -> []
@@ -123,12 +136,10 @@ let operands (what : Expectation.what) =
 let mean e k side what =
   of_operands (operands what) @@ fun () ->
   match Expectation.process e side what with
-  | Error why -> Error (Unknown why)
+  | Error why -> without_any (Unknown why)
   | Ok { choices; built; added } ->
     let problem until = Reward.problem until (direction side) in
-    Result.map
-      (map (fun g -> Rational_function.(add g (constant added))))
-      (solve e k built ~choices problem)
+    map (fun g -> Rational_function.(add g (constant added))) (solve e k built ~choices problem)
 
 (* {1 Tests} *)
 
@@ -138,11 +149,11 @@ let rec where e k ~probability (f : Timed_formula.t) =
   | And fs -> all e k ~probability ( && ) true fs
   | Or fs -> all e k ~probability ( || ) false fs
   | Until (Chance c, _, _, _) | Finally (Chance c, _, _) | Globally (Chance c, _, _) -> test k ~probability c f
-  | _ when has_chance f -> Error within_another
+  | _ when has_chance f -> without_any within_another
   | _ -> (
       match Eval.truth e f (Positions.start 0) with
       | Some truth -> Ok (Dependence.everywhere truth)
-      | None -> Error unknown)
+      | None -> without_any unknown)
 
 and all e k ~probability connect neutral fs =
   let add found f =

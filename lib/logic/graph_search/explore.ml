@@ -1,5 +1,4 @@
 open Scc_data
-open Scc_exact
 
 type 'fault reason = 'fault Statuses.reason =
   | Depth
@@ -18,123 +17,7 @@ let of_stop = Statuses.of_stop
 type 'fault status = 'fault Statuses.status = Expanded | Queued | Unexpanded of 'fault reason
 
 module Make (L : Lts.S) = struct
-  include Explored_graph.Make (L)
-
-  type arrow = New of Lts.step | Known of edge
-  type steps = { steps : Lts.step list; reduced : bool }
-  type noted = { arrows : arrow list; count : int; reduced : bool }
-  type expansion = Found of steps | Noted of noted
-
-  type visitor = {
-    found : t -> int -> int array -> unit;
-    opened : (t -> int -> int array -> edge array -> unit) option;
-    earlier : t -> int -> unit;
-    enough : unit -> bool;
-    matters : Rat.t -> bool;
-  }
-
-  let blind =
-    {
-      matters = (fun _ -> true);
-      found = (fun _ _ _ -> ());
-      opened = None;
-      earlier = (fun _ _ -> ());
-      enough = (fun () -> false);
-    }
-
-  type told = { asks : int -> bool; tell : int -> noted -> unit }
-
-  type expander = {
-    expand : int -> int array -> (expansion, L.fault) result;
-    expanded : unit -> told option;
-    finish : unit -> unit;
-  }
-
-  (** {2 Bounds} *)
-
-  let beyond value = function None -> false | Some bound -> value > (bound : int)
-
-  (* Which of the bounds on states themselves keeps a state from being expanded. *)
-  let out_of_bounds g (limits : Limits.t) i =
-    if beyond (depth g i) limits.depth then Some Depth
-    else if match limits.time with None -> false | Some t -> Rat.compare (arrival g i) t > 0 then Some Time
-    else if beyond (Distances.instant g.distances i) limits.instant then Some Instant
-    else None
-
-  (** {2 Growing the graph} *)
-
-  let mark g i status = Statuses.set g.statuses i status
-  let leave_out g i reason = mark g i (Unexpanded reason)
-
-  (* Hardly any exploration has numbers that are too long: which states have is asked only then. *)
-  let too_long g limits tuple =
-    Limits.too_long limits ~longest:(L.longest g.context) ~bits:(fun () -> L.bits g.context (tuple ()))
-
-  let add g limits i label changes tuple =
-    L.entered g.context changes;
-    Distances.push g.distances label;
-    Option.iter Edge_store.make_room g.edges;
-    if too_long g limits tuple then leave_out g i Bits
-    else begin
-      mark g i Queued;
-      Frontier.push g.frontier i (Distances.time g.distances label.arrival)
-    end
-
-  (* The label of the path to a state with a transition more. *)
-  let after g i label =
-    let duration = if takes_time g label then Some (L.duration g.context label) else None in
-    Distances.after g.distances i ~transitions:(transitions_of g label) duration
-
-  (* All states of a cycle without duration have one earliest arrival. When one of these changes, all edges of its
-     state are looked at again. *)
-  let are_reached_together g i j = Distances.arrival_number g.distances i = Distances.arrival_number g.distances j
-
-  let note_turning g target =
-    match g.turning with
-    | At targets -> Int_vector.push targets target
-    | Anywhere -> ()
-
-  (* Better labels for the target of an edge; whether there were any, and whether it is reached earlier. *)
-  let improve g i e =
-    let known = depth g e.target in
-    let nearer, is_earlier = Distances.improve g.distances e.target (after g i e.label) in
-    (* An edge that leads deeper when it is found may not do so once a shorter path to its end is known. *)
-    if nearer then g.turning <- Anywhere
-    else if (not (takes_time g e.label)) && known <= depth g i && are_reached_together g i e.target then
-      note_turning g e.target;
-    (nearer || is_earlier, is_earlier)
-
-  (* A state left out for its labels alone, and now within the bounds, is taken up again. *)
-  let reconsider g limits visitor i =
-    match status g i with
-    | Unexpanded (Depth | Time | Instant | Stopped)
-      when Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i) ->
-      mark g i Queued;
-      Frontier.push g.frontier i (arrival g i)
-    | Queued -> (match g.order with By_steps -> () | By_time -> Frontier.push g.frontier i (arrival g i))
-    | Expanded | Unexpanded _ -> ()
-
-  (* Passes better labels on through edges known already. *)
-  let settle g limits visitor first =
-    let work = Queue.create () and waiting = Hashtbl.create 16 in
-    let enter i =
-      reconsider g limits visitor i;
-      if is_expanded g i && not (Hashtbl.mem waiting i) then begin
-        Hashtbl.add waiting i ();
-        Queue.push i work
-      end
-    in
-    enter first;
-    while not (Queue.is_empty work) do
-      let i = Queue.pop work in
-      Hashtbl.remove waiting i;
-      let pass e =
-        let better, is_earlier = improve g i e in
-        if is_earlier then visitor.earlier g e.target;
-        if better then enter e.target
-      in
-      Array.iter pass (edges g i)
-    done
+  include Linked.Make (L)
 
   let is_new g (s : Lts.step) = Tuples.find g.tuples ~near:g.near s.changes < 0
 
@@ -149,7 +32,10 @@ module Make (L : Lts.S) = struct
 
   (* The target of a transition, which may be new; [known] states were there before it was looked up. *)
   let connect g limits i tuple ~known id ({ label; changes } : Lts.step) =
-    if id = known then add g limits id (after g i label) changes (fun () -> Tuples.apply changes tuple)
+    if id = known then begin
+      L.entered g.context changes;
+      add g limits id (after g i label) (fun () -> Tuples.apply changes tuple)
+    end
 
   let intern_prepared g limits i tuple n step =
     let known = size g in
@@ -169,20 +55,6 @@ module Make (L : Lts.S) = struct
         else show next (n + 1) rest
     in
     if size g > first then Limits.within around (fun () -> show first 0 steps)
-
-  (* An edge to a known state that clearly changes nothing leads deeper by no shorter way, and not earlier. No way
-     that goes on from a state leads to it sooner: of all of its edges, its own depth and arrival are the same. *)
-  let[@inline] is_plain g ~deeper ~arrival label target =
-    Distances.arrival_number g.distances target = arrival
-    &&
-    let known = depth g target in
-    known = deeper || (known < deeper && takes_time g label)
-
-  (* An edge that may change something for its target. *)
-  let relax g limits visitor i label target =
-    let better, is_earlier = improve g i { label; target } in
-    if is_earlier then visitor.earlier g target;
-    if better then settle g limits visitor target
 
   let all_or_some g ~some ~all =
     match some with
@@ -253,16 +125,8 @@ module Make (L : Lts.S) = struct
     in
     each 0 first [] steps
 
-  (* A search for cycles asks again for the edges without duration of many states, once there may be one. *)
-  let remember_at_once g i steps =
-    let may_turn = match g.turning with At states -> Int_vector.length states > 0 | Anywhere -> true in
-    if may_turn && Option.is_none g.edges then begin
-      let tell put n (s : Lts.step) = if not (takes_time g s.label) then put n g.targets.(n) in
-      Edges_at_once.keep g.at_once i (fun put -> List.iteri (tell put) steps)
-    end
-
   (* Expands a state; or says what ends the exploration. *)
-  let expand g (limits : Limits.t) around visitor expander i =
+  let expand_here g (limits : Limits.t) around visitor expander i =
     Tuples.load g.tuples g.near i;
     let tuple = Tuples.slots g.near in
     (* There are [count] transitions, these steps among them, whose targets [look_up] finds. *)
@@ -283,7 +147,10 @@ module Make (L : Lts.S) = struct
         let arrows = relax_all g limits visitor i ~first steps told in
         if all_told && (not reduced) && List.for_all (fun (s : Lts.step) -> takes_time g s.label) steps then
           Statuses.note_timed g.statuses i
-        else if all_told then remember_at_once g i steps;
+        else if all_told then begin
+          List.iteri (fun n (s : Lts.step) -> g.labels.(n) <- s.label) steps;
+          remember_at_once g i length
+        end;
         let edges () = Array.map2 (fun label target -> { label; target }) (labels_of steps) (targets ()) in
         Option.iter (fun opened -> Limits.within around (fun () -> opened g i tuple (edges ()))) visitor.opened;
         Option.iter (fun t -> t.tell i { arrows; count; reduced }) told;
@@ -300,6 +167,18 @@ module Make (L : Lts.S) = struct
       let noted = { steps = List.map without_target arrows; reduced } in
       grow noted ~look_up:(look_up_noted g limits i tuple arrows) ~length:(List.length arrows) ~count
         ~all_told:false
+
+  (* Only where others find steps it is asked whether they have. *)
+  let expand g limits around visitor expander i =
+    match g.shared with
+    | None -> expand_here g limits around visitor expander i
+    | Some s -> (
+        match Limits.within around (fun () -> expander.ready i) with
+        | None -> expand_here g limits around visitor expander i
+        | Some answer -> (
+            match choose g s i answer with
+            | None -> expand_here g limits around visitor expander i
+            | Some list -> grow_linked g limits around visitor expander.expanded i s answer list))
 
   (* All that is left of the frontier, of which [i] has been taken already. *)
   let give_up g i reason =
@@ -318,9 +197,11 @@ module Make (L : Lts.S) = struct
       edges = (if keep_edges then Some (Edge_store.create ()) else None);
       at_once = Edges_at_once.create ();
       targets = [||];
+      labels = [||];
       transitions = 0;
       turning = At (Int_vector.create ());
       timed = Timed_labels.create ~duration:(L.duration context) ~transitions:(L.transitions context);
+      shared = None;
     }
 
   let progress g i : Limits.progress =
@@ -349,10 +230,11 @@ module Make (L : Lts.S) = struct
     | Queued -> Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i)
     | Expanded | Unexpanded _ -> false
 
-  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> expander
+  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> dull:(int array -> bool) -> expander
 
-  let here g ~all_edges:_ ~waits:_ =
+  let here g ~all_edges:_ ~waits:_ ~dull:_ =
     {
+      ready = (fun _ -> None);
       expand = (fun _ tuple -> Result.map (fun found -> Found found) (successors g tuple));
       expanded = (fun () -> None);
       finish = Fun.id;
@@ -365,7 +247,7 @@ module Make (L : Lts.S) = struct
     let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
     let i = Tuples.intern g.tuples ~near:g.near whole in
     let all_edges = keep_edges || Option.is_some visitor.opened in
-    let expander = expanding g ~all_edges ~waits:(waits g limits visitor) in
+    let expander = expanding g ~all_edges ~waits:(waits g limits visitor) ~dull:visitor.dull in
     (* What ends the exploration, at this state or before it. *)
     let look round i =
       if visitor.enough () then Some Stopped
@@ -390,7 +272,8 @@ module Make (L : Lts.S) = struct
           | None -> loop (round + 1))
     in
     let explore () =
-      add g limits i Distances.origin whole (fun () -> first);
+      L.entered g.context whole;
+      add g limits i Distances.origin (fun () -> first);
       match Limits.within around (fun () -> visitor.found g i first) with
       | () -> loop 0
       | exception Limits.Over stop -> give_up g i (Statuses.of_stop stop)

@@ -42,10 +42,13 @@ module Make (L : Lts.S) : sig
     matters : Rat.t -> bool;
     (** It is true if a state that is reached at this time, and no earlier, has to be expanded. Once it is false
         for a time, it stays false. *)
+    dull : int array -> bool;
+    (** If it is true of the tuple of a new state, [found] does nothing for it, then or later. It may be called in
+        any process, and for states that never come to be found. *)
   }
 
   val blind : visitor
-  (** The visitor that does nothing: all states matter. *)
+  (** The visitor that does nothing: all states matter, and it is told of all. *)
 
   (** The order in which states are expanded. *)
   type order =
@@ -74,8 +77,14 @@ module Make (L : Lts.S) : sig
     tell : int -> noted -> unit;  (** [tell i noted] gets the state, and the edges that are passed on. *)
   }
 
+  (** What {!put_answer} has put of a state, from this place on. *)
+  type answer = { words : Ahead.words; at : int }
+
   (** The way in which transitions of states are computed. The graph does not depend on it. *)
   type expander = {
+    ready : int -> answer option;
+    (** What has been found of a state already, if anything. It is called before {!expand}, within an attempt, once
+        the graph has been shared. *)
     expand : int -> int array -> (expansion, L.fault) result;
     (** The transitions of a state, given its number and its tuple. It is called within an attempt, which may be
         given up at any point. *)
@@ -83,9 +92,10 @@ module Make (L : Lts.S) : sig
     finish : unit -> unit;  (** called at the end of the exploration, also after an exception *)
   }
 
-  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> expander
+  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> dull:(int array -> bool) -> expander
   (** The expander of an exploration that begins. With [all_edges] all edges are kept or visited, also those that
-      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. *)
+      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. [dull] is that of
+      the visitor. *)
 
   val here : expanding
   (** The expander that calls {!successors} in this process. *)
@@ -106,6 +116,45 @@ module Make (L : Lts.S) : sig
   (** [run limits surroundings context] explores the system until no state within the bounds is left, or a bound on
       the resources is met, or [visitor] ends it. The order is [By_steps] by default, and edges are kept by
       default. *)
+
+  (** {1 Processes that share a graph} *)
+
+  val share : t -> Common.t option
+  (** [share g] moves the tables of the graph into memory that is shared with processes that are forked from now on.
+      They call {!put_answer}; all else is left to this process. The result is the table of texts; [None] if the
+      system gives no such memory, and then the graph stays with this process. *)
+
+  val unshare : t -> unit
+  (** [unshare g] moves the tables back to this process alone. No other process may use the graph any more. *)
+
+  val shared_bytes : t -> int
+  (** [shared_bytes g] is about how much memory is shared, in bytes. *)
+
+  val put_answer : t -> all_edges:bool -> dull:(int array -> bool) -> Ahead.words -> int -> int -> int
+  (** [put_answer g ~all_edges ~dull words at i] finds the transitions of state [i] of a graph that is shared, and their targets
+      as far as they are known, and puts both into [words] from [at] on. Without [all_edges], edges that change
+      nothing may be left out. The result is the first place that is free after that. Where the transitions are best found by the process that numbers states, this is noted in their place. It
+      raises {!Ahead.Too_long} if there is no room. *)
+
+  val fetch : t -> answer -> unit
+  (** [fetch g answer] looks up what is asked for once the state of the answer is expanded, so that this is fast. *)
+
+  val refresh : t -> Common.t -> unit
+  (** [refresh g common] is called before {!put_answer} by a process that has not worked for a while. *)
+
+  val is_room_wanted : t -> Common.t -> bool
+  (** [is_room_wanted g common] is true if {!make_room} should be called soon. *)
+
+  val make_room : t -> Common.t -> unit
+  (** [make_room g common] enlarges what is full of the tables. No other process may use them meanwhile. *)
+
+  val go_on_apart : t -> Common.t -> full:(unit -> unit) -> unit
+  (** [go_on_apart g common ~full] is called by a process that has been forked, before {!put_answer}. [full] is as for
+      {!set_full}. *)
+
+  val set_full : t -> Common.t -> (unit -> unit) -> unit
+  (** [set_full g common full]: this process calls [full] where something does not fit the tables. It calls
+      {!make_room}, or raises. *)
 
   val context : t -> L.context
   (** [context g] is the context given to {!run}. *)

@@ -20,14 +20,20 @@ module Make (L : Lts.S) = struct
     edges : Edge_store.t option;
     at_once : Edges_at_once.t;
     mutable targets : int array;  (** of the state being expanded, and room for more *)
+    mutable labels : int array;  (** the same, where other processes have found its edges *)
     mutable transitions : int;
     mutable turning : turning;
     timed : Timed_labels.t;
+    mutable shared : Shared_states.t option;  (** what other processes see of them *)
   }
 
   let make_room_for_targets g count =
-    if count > Array.length g.targets then g.targets <- Array.make (2 * count) (-1)
+    if count > Array.length g.targets then begin
+      g.targets <- Array.make (2 * count) (-1);
+      g.labels <- Array.make (2 * count) (-1)
+    end
 
+  let may_turn g = match g.turning with At states -> Int_vector.length states > 0 | Anywhere -> true
   let context g = g.context
   let size g = Tuples.size g.tuples
   let depth g i = Distances.depth g.distances i

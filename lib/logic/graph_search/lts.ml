@@ -36,6 +36,25 @@ module type S = sig
 
   val transitions : context -> int -> int
   (** How many transitions of a run a label stands for, 1 or more. The depth of its target counts them all. *)
+
+  (** {1 Processes that share a graph} *)
+
+  val numbers_so_far : context -> int
+  (** More than any number that has been given to a component or a label. *)
+
+  val share : context -> Common.t -> bool
+  (** From now on components and labels that come up have the same numbers in all processes that are forked
+      afterwards; the table begins with {!numbers_so_far}, or later. It is false if the system gives no memory. *)
+
+  val has_entered : context -> Tuples.changes -> bool
+  (** The process that numbers the states has noted all that {!entered} would note. Any process may ask. *)
+end
+
+(** Part of a system that one process explores alone. *)
+module Alone = struct
+  let numbers_so_far _ = 0
+  let share _ _ = false
+  let has_entered _ _ = false
 end
 
 (** What the numbers of a system mean to another process: they are exchanged for bytes, which are the same for the

@@ -1,5 +1,6 @@
 open Bigarray
 open Scc_data
+open Scc_shared
 
 type wide = (int, int_elt, c_layout) Array1.t
 type narrow = (int32, int32_elt, c_layout) Array1.t
@@ -10,12 +11,25 @@ type index = (int32, int32_elt, c_layout) Array1.t
    by line. Of the 32 bits of a key's hash, the upper ones are its slot, and the others stand in the slot beside
    the number: hardly any key is read that is not the one that is looked for. *)
 type t = {
+  mutable flat : wide;  (** all keys, of a table that processes share; no chunks then *)
   mutable narrow : narrow array;  (** empty where the chunk is wide *)
   mutable wide : wide array;
   mutable size : int;
   mutable index : index;
   mutable bits : int;  (** the index has 2^bits slots *)
   in_files : bool;  (** tables may be made there ({!Spill}) *)
+  mutable shared : shared option;
+}
+
+(* Of each size that it may come to have there is an index from the beginning, as processes that have been forked get
+   no more memory that they share. *)
+and shared = {
+  header : Shared_memory.numbers;
+  indexes : index array;  (** by the bits of their sizes *)
+  many : bool;  (** all processes insert; else one of them *)
+  mutable next : int;  (** of the numbers that this process may give *)
+  mutable beyond : int;
+  mutable full : unit -> unit;  (** called where no more pairs fit the index; it makes room, or raises *)
 }
 
 let chunk_bits = 13
@@ -42,7 +56,8 @@ let no_narrow : narrow = Array1.create int32 c_layout 0
 let no_wide : wide = Array1.create int c_layout 0
 
 let create ~in_files =
-  { narrow = [||]; wide = [||]; size = 0; index = make_index ~in_files first_bits; bits = first_bits; in_files }
+  let index = make_index ~in_files first_bits in
+  { flat = no_wide; narrow = [||]; wide = [||]; size = 0; index; bits = first_bits; in_files; shared = None }
 
 let size p = p.size
 
@@ -56,13 +71,15 @@ let[@inline] widened x =
   (((x lsr quarter) land small) lsl half) lor (x land small)
 
 let[@inline] key p i : int =
-  let narrow : narrow = Array.unsafe_get p.narrow (i lsr chunk_bits) in
-  if Array1.dim narrow > 0 then widened (Array1.unsafe_get narrow (i land (chunk - 1)))
+  if Array1.dim p.flat > 0 then Array1.unsafe_get p.flat i
   else
-    let wide : wide = Array.unsafe_get p.wide (i lsr chunk_bits) in
-    Array1.unsafe_get wide (i land (chunk - 1))
+    let narrow : narrow = Array.unsafe_get p.narrow (i lsr chunk_bits) in
+    if Array1.dim narrow > 0 then widened (Array1.unsafe_get narrow (i land (chunk - 1)))
+    else
+      let wide : wide = Array.unsafe_get p.wide (i lsr chunk_bits) in
+      Array1.unsafe_get wide (i land (chunk - 1))
 
-let check p i = if i < 0 || i >= p.size then Scc_base.Bug.fail __POS__ "an index out of range"
+let check p i = if i < 0 || (i >= p.size && Array1.dim p.flat = 0) then Scc_base.Bug.fail __POS__ "an index out of range"
 
 let unpack_left k = k lsr half
 let unpack_right k = k land mask
@@ -173,15 +190,191 @@ let[@inline] pack l r =
   if (l lor r) land lnot mask <> 0 then Scc_base.Bug.fail __POS__ "a number that is too great";
   (l lsl half) lor r
 
+(** {2 Shared tables} *)
+
+(* Places in the header: the first number that no process may give as yet; the bits of the index; 1 where room is
+   wanted. *)
+let next_number = 0
+let index_bits = 1
+let wants_room = 2
+let header_length = 3
+
+(* Processes take so many numbers at a time, for pairs that they insert. *)
+let numbers_at_once = 64
+
+let[@inline] is_crowded ~parts ~of_ used index = of_ * used > parts * Array1.dim index
+
+(* Once the index is four fifths full, a larger one is wanted, and at fifteen sixteenths nobody goes on without. *)
+let want_room s =
+  if Shared_memory.read s.header wants_room = 0 then Shared_memory.write s.header wants_room 1
+
+let number_of_many p s =
+  let used = Shared_memory.read s.header next_number in
+  if is_crowded ~parts:4 ~of_:5 used p.index then want_room s;
+  if is_crowded ~parts:15 ~of_:16 (used + (16 * numbers_at_once)) p.index then s.full ();
+  if s.next = s.beyond then begin
+    s.next <- Shared_memory.add s.header next_number numbers_at_once;
+    s.beyond <- s.next + numbers_at_once
+  end;
+  s.next
+
+let number_for p s =
+  let id = if s.many then number_of_many p s else p.size in
+  if (not s.many) && is_crowded ~parts:4 ~of_:5 id p.index then s.full ();
+  if id >= Array1.dim p.flat then raise (Limits.Over Memory);
+  id
+
+(* The key is written before its number, so that who finds the number finds the key. Where another process has put
+   one into the slot meanwhile, it may be the same. *)
+let rec put_shared p s k h id i =
+  Array1.unsafe_set p.flat id k;
+  let e = (tag h p.bits lsl p.bits) lor id in
+  if not s.many then begin
+    Shared_memory.write_half p.index i e;
+    p.size <- id + 1;
+    id
+  end
+  else if Shared_memory.exchange p.index i ~from:free ~into:e then begin
+    s.next <- id + 1;
+    id
+  end
+  else match probe p k (tag h p.bits) i with
+    | known when known >= 0 -> known
+    | vacant -> put_shared p s k h id (lnot vacant)
+
+(* [full] may have put another index in the place of the one in which it was not found. *)
+let add_shared p s k =
+  let id = number_for p s in
+  let h = hash k in
+  match probe p k (tag h p.bits) (slot k h p.bits) with
+  | known when known >= 0 -> known
+  | vacant -> put_shared p s k h id (lnot vacant)
+
 let intern_key p k =
   let id = look p k in
   if id >= 0 then id
   else begin
-    Scc_base.Critical.enter ();
-    let id = add p k (lnot id) in
-    Scc_base.Critical.leave ();
-    id
+    match p.shared with
+    | None ->
+      Scc_base.Critical.enter ();
+      let id = add p k (lnot id) in
+      Scc_base.Critical.leave ();
+      id
+    | Some s -> Scc_base.Critical.run (fun () -> add_shared p s k)
   end
+
+let touch p k = entry p.index (slot k (hash k) p.bits)
+
+let refresh p =
+  match p.shared with
+  | None -> ()
+  | Some s ->
+    let bits = Shared_memory.read s.header index_bits in
+    if bits <> p.bits then begin
+      p.index <- s.indexes.(bits);
+      p.bits <- bits
+    end
+
+let is_room_wanted p =
+  match p.shared with Some s -> Shared_memory.read s.header wants_room <> 0 | None -> false
+
+(* From what is in the old index: of the numbers that processes took, some have no pair. *)
+let enlarge_shared p =
+  match p.shared with
+  | None -> ()
+  | Some s ->
+    let bits = p.bits + 1 in
+    if bits >= Array.length s.indexes then raise (Limits.Over Memory);
+    let index = s.indexes.(bits) in
+    Array1.fill index (Int32.of_int free);
+    let rec vacant i = if entry index i = free then i else vacant (next index i) in
+    for i = 0 to Array1.dim p.index - 1 do
+      let e = entry p.index i in
+      if e <> free then begin
+        let id = number e p.bits in
+        let k = key p id in
+        let h = hash k in
+        enter index bits (vacant (slot k h bits)) h id
+      end
+    done;
+    Shared_memory.write s.header index_bits bits;
+    Shared_memory.write s.header wants_room 0;
+    refresh p
+
+(* The numbers that the other process may still give are not for this one. *)
+let go_on_apart p ~full =
+  let apart s =
+    s.next <- s.beyond;
+    s.full <- full
+  in
+  Option.iter apart p.shared
+
+let set_full p full = Option.iter (fun s -> s.full <- full) p.shared
+
+let all_or_none list = if List.for_all Option.is_some list then Some (List.filter_map Fun.id list) else None
+
+let shared_first_bits = 14
+
+(* The bits of a power of two. *)
+let rec bits_of count = if count <= 1 then 0 else 1 + bits_of (count / 2)
+
+let put_all p (index : index) bits =
+  Array1.fill index (Int32.of_int free);
+  let rec vacant i = if entry index i = free then i else vacant (next index i) in
+  for id = 0 to p.size - 1 do
+    let k = key p id in
+    let h = hash k in
+    enter index bits (vacant (slot k h bits)) h id
+  done
+
+let move_to p header flat indexes ~first ~many =
+  for id = 0 to p.size - 1 do flat.{id} <- key p id done;
+  let s = { header; indexes; many; next = 0; beyond = 0; full = (fun () -> enlarge_shared p) } in
+  put_all p indexes.(first) first;
+  header.{next_number} <- p.size;
+  header.{index_bits} <- first;
+  p.flat <- flat;
+  p.narrow <- [||];
+  p.wide <- [||];
+  p.index <- indexes.(first);
+  p.bits <- first;
+  p.shared <- Some s
+
+(* Keys as many as there may be, and indexes for them. *)
+let share p ~many =
+  match (Shared_memory.numbers header_length, Shared_memory.many_numbers ()) with
+  | Some header, Some flat when p.size < Array1.dim flat -> (
+      let first = Int.max shared_first_bits p.bits in
+      let index bits = if bits < first then Some p.index else Shared_memory.halves (1 lsl bits) in
+      match all_or_none (List.init (1 + bits_of (Array1.dim flat)) index) with
+      | None -> false
+      | Some indexes ->
+        Scc_base.Critical.run (fun () -> move_to p header flat (Array.of_list indexes) ~first ~many);
+        true)
+  | _ -> false
+
+(* A key that no pair has stands for a number that has none: it was taken by a process that did not use it. *)
+let nothing id = (mask lsl half) lor id
+
+let unshare p =
+  match p.shared with
+  | None -> ()
+  | Some s ->
+    let count = if s.many then Shared_memory.read s.header next_number else p.size in
+    let taken = Bits.create count and flat = p.flat and index = p.index and bits = p.bits in
+    for i = 0 to Array1.dim index - 1 do
+      let e = entry index i in
+      if e <> free then Bits.add taken (number e bits)
+    done;
+    p.flat <- no_wide;
+    p.shared <- None;
+    for id = 0 to count - 1 do
+      put p id (if Bits.mem taken id then flat.{id} else nothing id)
+    done;
+    p.size <- count;
+    p.index <- make_index ~in_files:p.in_files bits;
+    put_all p p.index bits;
+    if 5 * p.size > 4 * Array1.dim p.index then enlarge p
 
 let find_key p k = Int.max (-1) (look p k)
 let intern p l r = intern_key p (pack l r)
@@ -204,6 +397,10 @@ let find_keys p (keys : int array) (ids : int array) count =
        else find_key p k)
   done
 
+(* Of a shared table, what has been written to. *)
+let used p = match p.shared with Some { many = true; header; _ } -> header.{next_number} | Some _ | None -> p.size
+
 let bytes p =
-  let narrow = Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) (4 * Array1.dim p.index) p.narrow in
+  let flat = if Array1.dim p.flat > 0 then 8 * used p else 0 in
+  let narrow = Array.fold_left (fun n cells -> n + (4 * Array1.dim cells)) (flat + (4 * Array1.dim p.index)) p.narrow in
   Array.fold_left (fun n cells -> n + (8 * Array1.dim cells)) narrow p.wide

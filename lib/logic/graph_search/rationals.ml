@@ -5,6 +5,7 @@ type t = Numbers.t
 
 let intern = Numbers.number
 let get = Numbers.get
+let size = Numbers.size
 
 let create () =
   let t = Numbers.create () in

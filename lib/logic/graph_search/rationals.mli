@@ -12,3 +12,6 @@ val intern : t -> Rat.t -> int
 
 val get : t -> int -> Rat.t
 (** [get t n] is the rational with number [n], which must exist (a bug otherwise). *)
+
+val size : t -> int
+(** [size t] is the number of rationals in the table. *)

@@ -372,4 +372,26 @@ let[@inline] prepared t n = Array.unsafe_get t.ids n
 (* One that was not known may be the same as one before it. *)
 let intern_prepared t n = Pairs.intern_key t.roots t.keys.(n)
 
+let[@inline] prepared_key t n = Array.unsafe_get t.keys n
+let intern_key t key = Pairs.intern_key t.roots key
+let find_key t key = Pairs.find_key t.roots key
+
+(** {2 Several processes} *)
+
+let share t = Pairs.share t.inner ~many:true && Pairs.share t.roots ~many:false
+
+let unshare t =
+  Pairs.unshare t.inner;
+  Pairs.unshare t.roots
+
+let touch_key t key = Pairs.touch t.roots key
+
+let refresh t =
+  Pairs.refresh t.inner;
+  Pairs.refresh t.roots
+
+let is_room_wanted t = Pairs.is_room_wanted t.inner
+let make_room t = Pairs.enlarge_shared t.inner
+let set_full t full = Pairs.set_full t.inner full
+let go_on_apart t ~full = Pairs.go_on_apart t.inner ~full
 let bytes t = Pairs.bytes t.inner + Pairs.bytes t.roots

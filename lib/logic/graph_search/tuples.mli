@@ -76,5 +76,46 @@ val prepared : t -> int -> int
 val intern_prepared : t -> int -> int
 (** [intern_prepared t n] is the number of the [n]-th tuple of the round, which is inserted if it is still new. *)
 
+val prepared_key : t -> int -> int
+(** [prepared_key t n] is the {!key} of the [n]-th tuple of the round. *)
+
+val intern_key : t -> int -> int
+(** [intern_key t key] is the number of the tuple with this {!key}, which is inserted if it is new. *)
+
+val find_key : t -> int -> int
+(** [find_key t key] is the number of the tuple with this {!key}; -1 if it is not in the table. *)
+
+(** {1 Several processes}
+
+    Processes that are forked after {!share} have the parts of tuples in common. One process inserts tuples, all
+    others look them up and insert their parts. *)
+
+val share : t -> bool
+(** [share t] moves the table into memory that processes share. If it is false, the system gives no such memory, and
+    the table must not be used by several. *)
+
+val unshare : t -> unit
+(** [unshare t] moves the table back to this process alone. No other process may use it any more. *)
+
+val touch_key : t -> int -> int
+(** [touch_key t key] makes {!intern_key} fast that follows soon. The result means nothing. *)
+
+val refresh : t -> unit
+(** [refresh t] is called by a process before it looks for tuples that others have inserted. *)
+
+val is_room_wanted : t -> bool
+(** [is_room_wanted t] is true if {!make_room} should be called soon. *)
+
+val make_room : t -> unit
+(** [make_room t] makes room for more parts. No other process may insert any meanwhile, and all refresh before they
+    do so again. It raises {!Limits.Over} if there is no more memory. *)
+
+val go_on_apart : t -> full:(unit -> unit) -> unit
+(** [go_on_apart t ~full] is called by a process that has been forked, before it uses a shared table. [full] is as for
+    {!set_full}. *)
+
+val set_full : t -> (unit -> unit) -> unit
+(** [set_full t full]: this process calls [full] where a part does not fit. It calls {!make_room}, or raises. *)
+
 val bytes : t -> int
 (** [bytes t] is about how much memory the table takes, in bytes. *)

@@ -123,30 +123,6 @@ let write_invariant console path (l : Loaded.t) (report : Check.report) =
   else if Console.is_json console then Ok () (* the document has it *)
   else Ok (Console.tell console (text ^ "\n"))
 
-(* None where a limit has ended all work. *)
-let named_where verdicts (report : Check.report) =
-  match report.where with
-  | [] -> []
-  | where -> List.map2 (fun (o : Verdict.outcome) w -> (o.check.name, w)) verdicts where
-
-(* Claims, and probabilities as functions of the start, to be drawn. *)
-let drawn verdicts named =
-  let numbers (o : Verdict.outcome) =
-    match o.verdict with
-    | Measured { starts = (_, first) :: rest; _ }
-      when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
-      [ (o.check.name, first) ]
-    | Measured { starts; _ } ->
-      let named (side, c) = (Printf.sprintf "%s (%s)" o.check.name (Scc_explain.Likelihoods.side side), c) in
-      List.map named starts
-    | Holds _ | Violated _ | Depends _ | Undecided _ -> []
-  in
-  let is_claim (name, _) =
-    let same (o : Verdict.outcome) = String.equal o.check.name name in
-    match List.find_opt same verdicts with Some o -> numbers o = [] | None -> true
-  in
-  (List.filter is_claim named, List.concat_map numbers verdicts)
-
 (* The file to draw to, and what. *)
 let view (extras : Check_extras.t) (l : Loaded.t) =
   match extras.draw with
@@ -192,11 +168,15 @@ let write_outputs console (extras : Check_extras.t) path (l : Loaded.t) report v
   Option.iter (fun path -> output (write_sarif console path !code (Some (l.model, verdicts)))) extras.sarif;
   let title = Option.value l.origin.name ~default:"a model" in
   Option.iter (fun path -> output (write_file path (Curve_output.picture ~title verdicts))) extras.plot;
-  let named = named_where verdicts report and ranges = l.model.ranges in
-  Option.iter (fun path -> output (write_file path (Scc_regions.Smt.script ranges named))) extras.smt;
+  let named = Drawn_checks.named verdicts report and ranges = l.model.ranges in
+  let smt path =
+    let claims, numbers = Drawn_checks.split ~name:(Printf.sprintf "%s-%s") verdicts named in
+    output (write_file path (Scc_regions.Smt.script ranges ~numbers claims))
+  in
+  Option.iter smt extras.smt;
   Option.iter (fun path -> output (write_invariant console path l report)) extras.invariant;
   let draw (path, view) =
-    let claims, values = drawn verdicts named in
+    let claims, values = Drawn_checks.split verdicts named in
     output (write_file path (Scc_regions.Drawing.svg ~values ranges view claims))
   in
   Option.iter draw view;

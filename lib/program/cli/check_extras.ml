@@ -103,7 +103,7 @@ let where =
 let smt =
   Options.maybe Options.named [ "smt" ] ~docv:"FILE"
     "Like $(b,--where), but writes the sets to $(docv), as a script of SMT-LIB 2.6 that defines for each \
-     property where it holds, where it fails, and where that is unknown."
+     property where it holds, where it fails, and where that is unknown; and for a number its bounds."
 
 let draw =
   Options.maybe Options.named [ "draw" ] ~docv:"FILE"

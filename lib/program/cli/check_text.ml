@@ -147,11 +147,12 @@ let where_lines (o : Verdict.outcome) w =
     when List.for_all (fun (_, c) -> Scc_regions.Chances.equal first c) rest ->
     Scc_regions.Words.chances_lines first
   | Measured { starts = _ :: _ as starts; _ } ->
+    let number = match o.check.asked with Expected _ -> " mean" | How_likely _ | Whether -> " probability" in
     let of_side (side, c) =
-      (Likelihoods.side side ^ " probability") :: List.map (fun l -> "  " ^ l) (Scc_regions.Words.chances_lines c)
+      (Likelihoods.side side ^ number) :: List.map (fun l -> "  " ^ l) (Scc_regions.Words.chances_lines c)
     in
     List.concat_map of_side starts
-  | Undecided _ when Verdict.asks_number o.check -> [ "its value is not known for any start" ]
+  | Undecided _ when Verdict.asks_number o.check -> [ "its value is not known for all starts" ]
   | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> Scc_regions.Words.lines w
 
 let function_lines ~full = function

@@ -3,7 +3,7 @@ open Scc_state_space
 open Scc_loading
 open Scc_store
 module Crew = Scc_parallel.Crew
-module Crew_of_states = Crew.Make (Network_lts) (Network_exchange) (State_graph)
+module Crew_of_states = Crew.Make (Network_lts) (State_graph)
 module Journal_of_states = Scc_parallel.Journal.Make (Network_lts) (Network_exchange) (State_graph)
 module Journal_of_fingerprints =
   Scc_parallel.Step_journal.Make (Network_lts) (Network_exchange) (State_fingerprints)

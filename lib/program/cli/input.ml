@@ -109,7 +109,8 @@ let no_check code at name checks =
   let names = List.map (fun (c : Scc_property.Property.check) -> c.name) checks in
   Diag.error code at ?hint:(Diag.suggest name names) "the model has no check `%s`" name
 
-let model ?(given = Span.command_line) ?(narrowed = []) ?parametric ?source console ~overrides path =
+let model ?(given = Span.command_line) ?(narrowed = []) ?parametric ?source ?read_file console ~overrides path =
+  let read_file = Option.value read_file ~default:(mesh_reader console path) in
   let* () = check_overrides (List.map fst overrides @ List.map fst narrowed) in
   let* source =
     match source with
@@ -119,4 +120,4 @@ let model ?(given = Span.command_line) ?(narrowed = []) ?parametric ?source cons
       Ok source
   in
   Result.map_error (List.map (placed given))
-    (Scc_loading.Loaded.load ~read_file:(mesh_reader console path) ~overrides ~narrowed ?parametric source)
+    (Scc_loading.Loaded.load ~read_file ~overrides ~narrowed ?parametric source)

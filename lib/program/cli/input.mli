@@ -45,9 +45,11 @@ val model :
   ?narrowed:(string * (Scc_calculus.Ranges.bound * Scc_calculus.Ranges.bound)) list ->
   ?parametric:Scc_elaborate.Asked.given ->
   ?source:Source.t ->
+  ?read_file:Scc_loading.Loaded.reader ->
   Console.t ->
   overrides:(string * Rat.t) list ->
   string ->
   (Scc_loading.Loaded.t, Diag.t list) result
-(** Reads and loads the file, or [source] as its content. Its texts are added to the console. [given] is the place
-    of [overrides] in errors (default: the command line). [parametric] is as for {!Scc_loading.Loaded.load}. *)
+(** Reads and loads the file, or [source] as its content. Its texts are added to the console. [read_file] reads
+    imports and meshes (default: from files). [given] is the place of [overrides] in errors (default: the command
+    line). [parametric] is as for {!Scc_loading.Loaded.load}. *)

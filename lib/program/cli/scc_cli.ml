@@ -17,6 +17,7 @@ let commands =
     Inflate_command.command;
     Decompose_command.command;
     Oracle_command.command;
+    Lsp_command.command;
     Successors_command.command;
     Fmt_command.command;
     Translate_command.command;

@@ -80,6 +80,7 @@ let viewed o budget checks =
   {
     Viewed.path = Option.value o.model ~default:unsaved_name;
     source = None;
+    read_file = None;
     given = o.given;
     budget;
     checks;

@@ -122,7 +122,18 @@ type options = {
   reductions : Reduction.kind list;
   bits : int;
   framing : framing;
+  owner : Owner_mode.t option;
 }
+
+let headed ?owner framing filter = Told.line (Header { program = Version.told; framing; owner; filter })
+
+let own console (o : Owner_mode.t) f =
+  let* listener = Owner_mode.listen o.address in
+  let { Scc_owners.Owner.number; count } = o.place in
+  let owner = { Told.number = number + 1; count; port = Owner_mode.port listener } in
+  Scc_system.Standard.print (headed ~owner "owner" f ^ "\n");
+  Scc_system.Standard.flush ();
+  Owner_mode.run console o f ~listener ~identity:(headed "owner" f)
 
 let talk console options (given : Options.definitions) path =
   let* l = Input.model console ~overrides:given.values ~narrowed:given.narrowed path in
@@ -131,11 +142,11 @@ let talk console options (given : Options.definitions) path =
   let* q = Question.make ~reductions ~bits:options.bits ~names:options.names ~number:options.number l in
   let f = Filter.make q in
   let hold c =
-    Conversation.say c (Told.line (Header { program = Version.told; framing = name options.framing; filter = f }));
+    Conversation.say c (headed (name options.framing) f);
     Conversation.send c;
     match options.framing with Lines -> talk_in_lines path f c | Batches -> talk_in_batches console f c
   in
-  Ok (Conversation.hold hold)
+  match options.owner with Some o -> own console o f | None -> Ok (Conversation.hold hold)
 
 let run color options given path =
   if String.equal path "-" then Guard.usage "the model cannot be read from standard input, which is for states"
@@ -162,10 +173,10 @@ let framing =
      at once."
 
 let options =
-  let make names number reductions bits framing =
-    { names; number; reductions; bits = Option.value bits ~default:100_000; framing }
+  let make names number reductions bits framing owner =
+    { names; number; reductions; bits = Option.value bits ~default:100_000; framing; owner }
   in
-  Term.(const make $ names $ number $ Check_extras.reductions $ Check_options.bits $ framing)
+  Term.(const make $ names $ number $ Check_extras.reductions $ Check_options.bits $ framing $ Owner_mode.term)
 
 let command =
   let exits =

@@ -150,7 +150,7 @@ let options =
   let make path given output (what, drawing) check schedule graph plots =
     let budget = { Budget.depth = None; time = None; states = None; seconds = None; memory = None; bits = None } in
     let checks = Option.fold check ~none:Viewed.All ~some:(fun name -> Viewed.Only name) in
-    let shown = { Viewed.path; source = None; given; budget; checks; schedule; graph; plots } in
+    let shown = { Viewed.path; source = None; read_file = None; given; budget; checks; schedule; graph; plots } in
     { shown; output; what; drawing }
   in
   Term.(

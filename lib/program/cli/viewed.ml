@@ -16,6 +16,7 @@ type checks = All | Only of string | Unchecked
 type options = {
   path : string;
   source : Source.t option;
+  read_file : Loaded.reader option;
   given : Options.definitions;
   budget : Budget.t;
   checks : checks;
@@ -158,10 +159,11 @@ let of_check making world (l : Loaded.t) ~interrupted (outcome : Verdict.outcome
         let world = world_of making f.semantics in
         Ok [ with_leaves making (Semantics.model f.semantics) (told world ~name (Some about) w) ])
 
+(* What was found, and what of it is drawn over the starts. *)
 let report console o (l : Loaded.t) checks watch =
   let exactly = Array.length l.model.ranges > 0 in
   match checks with
-  | [] -> Ok ([], [])
+  | [] -> Ok ([], ([], []))
   | _ ->
     let* initial = Loaded.initial l in
     let options = { (Check_options.starting console watch o.budget) with contrast = true } in
@@ -173,7 +175,7 @@ let report console o (l : Loaded.t) checks watch =
     in
     Console.progress_done console;
     List.iter (Console.fault console) (Check.faults report);
-    Ok (report.outcomes, report.where)
+    Ok (report.outcomes, Drawn_checks.split report.outcomes (Drawn_checks.named report.outcomes report))
 
 (* The model at one start, for what is about one. *)
 let at_point (l : Loaded.t) =
@@ -182,7 +184,7 @@ let at_point (l : Loaded.t) =
 let first_steps = 200
 
 (* Runs from here and there in the drawing of where checks hold. *)
-let samples making (l : Loaded.t) view where ~interrupted =
+let samples making (l : Loaded.t) view drawn ~interrupted =
   let run values =
     let* run = from_start making l values ~name:(Sample.to_string values) ~interrupted in
     Ok { run with sample = true }
@@ -191,21 +193,21 @@ let samples making (l : Loaded.t) view where ~interrupted =
     let* all = all in
     if interrupted () then Ok all else Result.map (fun r -> (values, r) :: all) (run values)
   in
-  Result.map List.rev (List.fold_left add (Ok []) (Regions.starts l.model.ranges view where))
+  Result.map List.rev (List.fold_left add (Ok []) (Regions.starts l.model.ranges view drawn))
 
 (* The drawing, and its runs. *)
-let regions making (l : Loaded.t) outcomes where ~before ~interrupted =
-  match where with
-  | [] -> Ok (None, [])
-  | _ :: _ -> (
+let regions making (l : Loaded.t) drawn ~before ~interrupted =
+  match drawn with
+  | [], [] -> Ok (None, [])
+  | checks, numbers -> (
       match Scc_regions.Plane.view l.model.ranges ~axes:[] ~fixed:[] with
       | Error _ -> Ok (None, [])
       | Ok view ->
-        let names = List.map (fun (o : Verdict.outcome) -> o.check.name) outcomes in
-        let* sampled = samples making l view where ~interrupted in
+        let drawn = Regions.drawn l.model.ranges view ~checks ~numbers in
+        let* sampled = samples making l view drawn ~interrupted in
         let numbered = List.mapi (fun i (values, _) -> (values, before + i)) sampled in
-        let checks = List.combine names where in
-        Ok (Some { Regions.ranges = l.model.ranges; view; checks; samples = numbered }, List.map snd sampled))
+        let where = { Regions.ranges = l.model.ranges; view; checks; numbers; drawn; samples = numbered } in
+        Ok (Some where, List.map snd sampled))
 
 let read_schedule console o =
   match o.schedule with
@@ -215,7 +217,9 @@ let read_schedule console o =
 let model console o schedule =
   let* l =
     match schedule with
-    | None -> Input.model ?source:o.source console ~overrides:o.given.values ~narrowed:o.given.narrowed o.path
+    | None ->
+      Input.model ?source:o.source ?read_file:o.read_file console ~overrides:o.given.values
+        ~narrowed:o.given.narrowed o.path
     | Some s -> Scheduled.model console s ~given:o.given o.path
   in
   Console.report console l.warnings;
@@ -224,12 +228,12 @@ let model console o schedule =
 (* The runs of the checks and one more, and where checks hold. *)
 let checked console o making world (l : Loaded.t) watch ~interrupted =
   let* checks = chosen_checks o l.checks in
-  let* outcomes, where = report console o l checks watch in
+  let* outcomes, starts = report console o l checks watch in
   let* runs = Result.all (of_check making world l ~interrupted) outcomes in
   let limits = { Replay.steps = Some first_steps; time = None; instant = Replay.default_instant } in
   let* first = run_by_choices making world ~name:"first choices" First limits ~interrupted in
   let runs = List.concat runs @ [ first ] in
-  let* drawn, more = regions making l outcomes where ~before:(List.length runs) ~interrupted in
+  let* drawn, more = regions making l starts ~before:(List.length runs) ~interrupted in
   Ok (runs @ more, drawn)
 
 let scheduled making world (s : Schedule.t) ~interrupted =

@@ -12,6 +12,7 @@ type checks = All | Only of string  (** by its name *) | Unchecked
 type options = {
   path : string;
   source : Source.t option;  (** its content, if the file is not read *)
+  read_file : Loaded.reader option;  (** how imports and meshes are read, if not from files *)
   given : Options.definitions;
   budget : Budget.t;
   checks : checks;  (** which checks are made *)
@@ -44,5 +45,8 @@ val report :
   Loaded.t ->
   Scc_property.Property.check list ->
   Watch.t ->
-  (Verdict.outcome list * Scc_regions.Where.t list, Diag.t list) result
-(** The verdicts and, for a model with ranges, the values for which they hold. *)
+  ( Verdict.outcome list * ((string * Scc_regions.Where.t) list * (string * Scc_regions.Chances.t) list),
+    Diag.t list )
+    result
+(** The verdicts and, for a model with ranges, the values for which checks hold, and probabilities as functions of
+    the values ({!Drawn_checks.split}). *)

@@ -13,6 +13,7 @@ let on part (m : _ Method.t) = { m with work = (fun (s, seconds) p -> m.work (pa
 let shapes m = on (fun (s : Session.t) _ -> s.shapes) m
 let models m = on (fun (s : Session.t) _ -> s.models) m
 let plain m = on (fun _ _ -> ()) m
+let files m = on (fun (s : Session.t) _ -> s.surroundings.read_file) m
 
 let explores m =
   let bounds (s : Session.t) seconds =
@@ -27,7 +28,7 @@ let undescribed : (Session.t * float) Method.t list =
     shapes Shapes.define; plain Shapes.check; shapes Shapes.mass; shapes Shapes.release; models Models.load;
     models Models.release; models Runs.successors; models Runs.step; models Runs.replay;
     explores Evaluate.evaluate; models Evaluate.values; explores Checks.check; plain Texts.format;
-    on (fun (s : Session.t) _ -> s.surroundings.read_file) Texts.describe;
+    files Texts.describe; files Texts.complete; files Texts.fixes;
   ]
 
 let described = [ "rpc.discover"; "service.describe" ]

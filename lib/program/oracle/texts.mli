@@ -6,3 +6,9 @@ val format : unit Method.t
 val describe : Scc_loading.Loaded.reader Method.t
 (** The method [text.describe]. The reader reads imported modules, whose declarations are described if they can
     be read. *)
+
+val complete : Scc_loading.Loaded.reader Method.t
+(** The method [text.complete]. The reader reads imported modules. *)
+
+val fixes : Scc_loading.Loaded.reader Method.t
+(** The method [text.fixes]. The reader reads imported modules and meshes. *)

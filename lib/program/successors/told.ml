@@ -178,7 +178,17 @@ let bounds =
   in
   fields [ field "instant" (nullable natural) instant; field "bits" natural (fun (q : Question.t) -> q.bits) ]
 
-type header = { program : string; framing : string; filter : Filter.t }
+type owner = { number : int; count : int; port : int }
+type header = { program : string; framing : string; owner : owner option; filter : Filter.t }
+
+let owner =
+  fields
+    [
+      field "number" Shared.from_one (fun o -> o.number);
+      field "count" Shared.from_one (fun o -> o.count);
+      field "port" natural (fun o -> o.port);
+    ]
+  |> about "Of an owner: which one of how many it is, and where others call it."
 
 let header =
   let question f h = f (Filter.question h.filter) in
@@ -195,7 +205,8 @@ let header =
        field "program" some_text (fun h -> h.program);
        fixed "state_bytes" (`Int Scc_codec.State_codec.version) ~about:"Version of specs/state-bytes.md.";
        within (question (fun q -> q.loaded.origin)) Origin_json.fields;
-       field "framing" (word Fun.id [ "lines"; "batches" ]) (fun h -> h.framing);
+       field "framing" (word Fun.id [ "lines"; "batches"; "owner" ]) (fun h -> h.framing);
+       maybe "owner" owner (fun h -> h.owner);
        field "reductions"
          (list ~distinct:true (word Reduction.name Question.reductions))
          (question (fun q -> q.reductions));

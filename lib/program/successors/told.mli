@@ -4,8 +4,11 @@ open Scc_base
 open Scc_ctl
 open Scc_json
 
+(** One of several processes that explore together: which one, from 1, of how many, and where others call it. *)
+type owner = { number : int; count : int; port : int }
+
 (** The first line of a session: the exploration, its checks and goals, and its initial state. *)
-type header = { program : string; framing : string; filter : Filter.t }
+type header = { program : string; framing : string; owner : owner option; filter : Filter.t }
 
 (** A line of the output. *)
 type t =

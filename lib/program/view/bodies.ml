@@ -1,5 +1,6 @@
 open Scc_exact
 open Scc_geometry
+open Scc_rigid
 open Scc_calculus
 open Scc_json
 open Scc_runs
@@ -37,7 +38,13 @@ let solid_format =
 
 (* {1 Leaves} *)
 
-type t = { leaf : Model.leaf; family : int; parts : (Model.part * int) list }
+type t = { leaf : Model.leaf; family : int; parts : (Model.part * int) list; turns : bool }
+
+let inertia (l : Model.leaf) =
+  let part (p : Model.part) : Mass.part =
+    { body = { solid = p.solid; turned = Quaternion.identity; at = p.offset }; mass = p.mass }
+  in
+  (Mass.of_parts (List.map part (Array.to_list l.parts))).inertia
 
 let part =
   fields
@@ -63,6 +70,9 @@ let format =
       field "parts" (list part) (fun b -> b.parts);
       field "centroid" Shared.vector (part_of Model.leaf_centroid)
         ~about:"Of its shape, from its point of reference, as it was declared.";
+      maybe "inertia" Shared.matrix
+        (fun b -> if b.turns && not b.leaf.fixed then Some (inertia b.leaf) else None)
+        ~about:"About its centroid, as it was declared, where bodies turn.";
     ]
   |> Rows.named "body" ~text:"A leaf, of which states tell where it is."
 
@@ -70,6 +80,7 @@ let leaves ~solids (m : Model.t) =
   let families = Families.of_model m in
   let part (p : Model.part) = (p, Rows.add solids solid_format (p.template, p.solid)) in
   let leaf i (l : Model.leaf) =
-    { leaf = l; family = families.of_leaf.(i); parts = List.map part (Array.to_list l.parts) }
+    let parts = List.map part (Array.to_list l.parts) in
+    { leaf = l; family = families.of_leaf.(i); parts; turns = Option.is_some m.rigid }
   in
   List.mapi leaf (Array.to_list m.leaves)

@@ -8,7 +8,7 @@ val solid_format : (string * Solid.t, unit) Json_format.t
 (** The format of a solid with the name of its template. *)
 
 (** A leaf with its family ({!Scc_calculus.Families}), and its parts with the rows of their solids. *)
-type t = { leaf : Model.leaf; family : int; parts : (Model.part * int) list }
+type t = { leaf : Model.leaf; family : int; parts : (Model.part * int) list; turns : bool }
 
 val format : (t, unit) Json_format.t
 (** The format of a leaf. *)

@@ -6,12 +6,15 @@ open Scc_json
 open Scc_runs
 open Json_format
 
-let outcome : Plane.outcome -> string = function
-  | Holds -> "holds"
-  | Varies -> "varies"
-  | Unknown -> "unknown"
-  | Fails -> "fails"
-  | Value _ -> Scc_base.Bug.fail __POS__ "a number where claims alone are shown"
+(* Of a check; of a probability, the number of its value, or that it depends on what is not shown. *)
+type outcome = Claim of string | Number of int option
+
+let outcome : Plane.outcome -> outcome = function
+  | Holds -> Claim "holds"
+  | Varies -> Claim "varies"
+  | Unknown -> Claim "unknown"
+  | Fails -> Claim "fails"
+  | Value i -> Number (Some i)
 
 let is_line (view : Plane.view) = Option.is_none view.up
 let axes (view : Plane.view) = view.across :: Option.to_list view.up
@@ -23,6 +26,22 @@ let point =
 
 let segment = from (fun (a, b) -> [ a; b ]) (list ~least:2 ~most:2 point) |> checked |> Rows.named "segment"
 
+let whole n = Rat.make n Z.one
+
+let constraint_ =
+  let relation : Constraint.relation -> string = function Less -> "<" | At_most -> "<=" | Equal -> "=" in
+  fields
+    [
+      field "normal" (list ~least:2 ~most:2 Shared.rational) (fun (c : Constraint.t) ->
+          List.map whole (Array.to_list c.normal));
+      field "relation" (word relation [ Less; At_most; Equal ]) (fun (c : Constraint.t) -> c.relation);
+      field "right" Shared.rational (fun (c : Constraint.t) -> whole c.right);
+    ]
+  |> Rows.named "constraint"
+
+(* A region with its outline, and how many of its outcomes are of checks; the others are of probabilities. *)
+type shown = { region : Plane.region; outline : Outline.t; claims : int }
+
 let region =
   let border =
     fields
@@ -31,19 +50,28 @@ let region =
         field "belongs" bool (fun (b : Outline.border) -> b.belongs);
       ]
   in
+  let of_checks r = List.filteri (fun i _ -> i < r.claims) r.region.outcomes in
+  let of_numbers r = List.filteri (fun i _ -> i >= r.claims) r.region.outcomes in
+  let claim o =
+    match outcome o with Claim c -> c | Number _ -> Scc_base.Bug.fail __POS__ "a claim with a number"
+  in
+  let value o = match outcome o with Number n -> n | Claim _ -> None in
   fields
     [
-      field "outcomes" (list (word outcome [ Holds; Varies; Unknown; Fails ]))
-        (fun ((r : Plane.region), _) -> r.outcomes)
+      field "outcomes" (list (word claim [ Plane.Holds; Varies; Unknown; Fails ])) of_checks
         ~about:"Of the checks.";
-      field "polygons" (list (list point)) (fun (_, (o : Outline.t)) -> List.map Planar.corners o.polygons)
+      field "values" (list (nullable Rows.number)) (fun r -> List.map value (of_numbers r))
+        ~about:"Of the numbers: which of its values each has; null where it depends on what is not shown.";
+      field "pieces" (list (list constraint_))
+        (fun r -> List.map Polyhedron.constraints (Union.pieces r.region.set))
+        ~about:"All of it: the points that satisfy all constraints of some piece, normal . point relation right.";
+      field "polygons" (list (list point)) (fun r -> List.map Planar.corners r.outline.polygons)
         ~about:"What has an area, by convex pieces, counter-clockwise.";
-      field "borders" (list border) (fun (_, (o : Outline.t)) -> o.borders)
+      field "borders" (list border) (fun r -> r.outline.borders)
         ~about:"Of what has an area, with it to the left.";
-      field "lines" (list segment) (fun (_, (o : Outline.t)) -> o.lines);
-      field "points" (list point) (fun (_, (o : Outline.t)) -> o.points);
-      field "share" Shared.rational (fun ((r : Plane.region), _) -> r.share)
-        ~about:"Of its area in that of the ranges.";
+      field "lines" (list segment) (fun r -> r.outline.lines);
+      field "points" (list point) (fun r -> r.outline.points);
+      field "share" Shared.rational (fun r -> r.region.share) ~about:"Of its area in that of the ranges.";
     ]
   |> Rows.named "region"
 
@@ -67,20 +95,52 @@ type t = {
   ranges : Ranges.t;
   view : Plane.view;
   checks : (string * Where.t) list;
+  numbers : (string * Chances.t) list;
+  drawn : Plane.region list;
   samples : ((string * Rat.t) list * int) list;
 }
 
+let drawn ranges view ~checks ~numbers =
+  Plane.regions ~values:(List.map snd numbers) ranges view (List.map snd checks)
+
+(* Of a value that depends on the parameters. *)
+let form (ranges, (p : Chances.part)) =
+  let depends = function Some f -> not (Scc_polyhedra.Linear.is_constant f) | None -> false in
+  if depends p.value.least || depends p.value.most then Some (Words.value ranges p.value) else None
+
 let format =
-  let regions d =
-    let outlined (r : Plane.region) = (r, Outline.make r.set) in
-    List.map outlined (Plane.regions d.ranges d.view (List.map snd d.checks))
+  let shown d =
+    let claims = List.length d.checks in
+    List.map (fun (region : Plane.region) -> { region; outline = Outline.make region.set; claims }) d.drawn
   in
   let sample = fields [ field "at" Origin_json.parameters_format fst; field "run" Rows.number snd ] in
+  let value =
+    fields
+      [
+        field "least" (nullable Shared.rational) (fun (_, p) -> (Chances.ends_of p).low)
+          ~about:"Its greatest lower bound; null of what is infinite.";
+        field "most" (nullable Shared.rational) (fun (_, p) -> (Chances.ends_of p).high)
+          ~about:"Its least upper bound; null if none is known.";
+        maybe "form" some_text form ~about:"Of what is not one number: what it is by the parameters.";
+      ]
+  in
+  let number =
+    fields
+      [
+        field "name" some_text fst;
+        field "values" (list value) (fun (_, (c : Chances.t)) -> List.map (fun p -> (c.ranges, p)) c.parts)
+          ~about:"Its values, by size: exact where both bounds are the same.";
+      ]
+  in
   fields
     [
       field "axes" (list ~least:1 ~most:2 axis) (fun d -> List.map (Array.get d.ranges) (axes d.view));
+      field "hidden" (list some_text) (fun d ->
+          List.map (fun i -> d.ranges.(i).Ranges.name) (Plane.hidden d.ranges d.view))
+        ~about:"Parameters that are not shown.";
       field "checks" (list some_text) (fun d -> List.map fst d.checks);
-      field "regions" (list region) regions
+      field "numbers" (list number) (fun d -> d.numbers) ~about:"Probabilities as functions of the start.";
+      field "regions" (list region) shown
         ~about:"Disjoint. On the line of one parameter, the second coordinate is from 0 to 1.";
       field "samples" (list sample) (fun d -> d.samples) ~about:"Starts, and the runs from there.";
     ]
@@ -107,14 +167,13 @@ let grid (ranges : Ranges.t) view =
   | [ x; y ] -> List.concat_map (fun b -> List.map (fun a -> [ a; b ]) (along x)) (along y)
   | _ -> []
 
-let pieces ranges view where =
+let pieces (view : Plane.view) drawn =
   let of_region (r : Plane.region) = List.filter_map interior (Union.pieces r.set) in
-  Plane.regions ranges view where
-  |> List.concat_map of_region
+  List.concat_map of_region drawn
   |> List.filteri (fun i _ -> i < most_pieces)
   |> List.map (fun p -> List.filteri (fun i _ -> i < List.length (axes view)) (Array.to_list p))
 
-let starts ranges (view : Plane.view) where =
+let starts ranges (view : Plane.view) drawn =
   let simple = Ranges.point ranges in
   let value shown i =
     match (List.assoc_opt i (List.combine (axes view) shown), List.assoc_opt i view.fixed) with
@@ -122,4 +181,4 @@ let starts ranges (view : Plane.view) where =
     | None, None -> simple.(i)
   in
   let start shown = List.init (Array.length ranges) (fun i -> (ranges.(i).Ranges.name, value shown i)) in
-  List.map start (pieces ranges view where @ grid ranges view)
+  List.map start (pieces view drawn @ grid ranges view)

@@ -103,10 +103,14 @@ let process_format =
   let turn =
     fields
       [
-        field "centre" Shared.vector fst ~about:"What it turns about, when the process came.";
-        field "spin" Shared.vector (fun (_, (p : State.process)) -> p.spin);
-        field "since" Shared.rational (fun (_, (p : State.process)) -> p.since)
+        field "centre" Shared.vector (fun (_, _, centre) -> centre)
+          ~about:"What it turns about, when the process came.";
+        field "spin" Shared.vector (fun (_, (p : State.process), _) -> p.spin);
+        field "since" Shared.rational (fun (_, (p : State.process), _) -> p.since)
           ~about:"How long ago the turn had begun then.";
+        maybe "kept" Shared.vector
+          (fun (m, (p : State.process), _) -> if Turn.is_free m then Some p.kept else None)
+          ~about:"Of a free body: its angular momentum about the centre.";
       ]
   in
   fields
@@ -115,7 +119,7 @@ let process_format =
       field "bonds" (list bond) (fun r -> List.map (fun b -> (r.model, b)) (Array.to_list r.process.bonds));
       field "velocity" Shared.vector (fun r -> r.process.velocity) ~about:"Of the centre of mass.";
       field "mass" (nullable Shared.rational) (fun r -> State.mass r.model r.process);
-      maybe "turn" turn (fun r -> Option.map (fun centre -> (centre, r.process)) r.centre)
+      maybe "turn" turn (fun r -> Option.map (fun centre -> (r.model, r.process, centre)) r.centre)
         ~about:
           "Left out: it does not spin. With one, t after it came it has turned by the Cayley map C(u), u = spin \
            (since + t) / 2, from how it was at the start of the turn: a leaf is at centre + t velocity + C(u) arm \

@@ -78,6 +78,11 @@ let smt_integer z =
   let size = Z.to_string (Z.abs z) ^ ".0" in
   if Z.sign z < 0 then "(- " ^ size ^ ")" else size
 
+let smt_rational q =
+  let whole = smt_integer (Z.abs (Q.num q)) in
+  let size = if Rat.is_integer q then whole else Printf.sprintf "(/ %s %s)" whole (smt_integer (Q.den q)) in
+  if Rat.sign q < 0 then "(- " ^ size ^ ")" else size
+
 let application op = function
   | [ only ] -> only
   | arguments -> "(" ^ String.concat " " (op :: arguments) ^ ")"
@@ -93,6 +98,18 @@ let smt_constraint ~name (c : Constraint.t) =
   | mentioned ->
     let sum = application "+" (List.map term mentioned) in
     "(" ^ relation ~backwards:false c.relation ^ " " ^ sum ^ " " ^ smt_integer c.right ^ ")"
+
+let smt_form ~name (f : Linear.t) =
+  let term i a =
+    let symbol = smt_symbol (name i) in
+    if Rat.sign a = 0 then []
+    else if Rat.equal a Rat.one then [ symbol ]
+    else [ Printf.sprintf "(* %s %s)" (smt_rational a) symbol ]
+  in
+  let terms = List.concat (Array.to_list (Array.mapi term f.coefficients)) in
+  match terms with
+  | [] -> smt_rational f.constant
+  | _ :: _ -> application "+" (if Rat.sign f.constant = 0 then terms else terms @ [ smt_rational f.constant ])
 
 let smt_polyhedron ~name p =
   match Polyhedron.constraints p with

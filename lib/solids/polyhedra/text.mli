@@ -24,6 +24,9 @@ val smt_constraint : name:(int -> string) -> Constraint.t -> string
 (** A constraint as a term: a relation between a sum of multiples of variables and a constant. Without
     variables it is [true] or [false]. *)
 
+val smt_form : name:(int -> string) -> Linear.t -> string
+(** A form as a term: a sum of multiples of variables and of the constant. *)
+
 val smt_polyhedron : name:(int -> string) -> Polyhedron.t -> string
 (** The conjunction of the constraints of the minimal form; [true] for all points. *)
 

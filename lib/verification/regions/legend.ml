@@ -29,12 +29,12 @@ let letter i =
 
 (* {1 Words} *)
 
-(* A claim, or a probability as a function. *)
+(* A claim, or a number as a function. *)
 type subject = Claim | Number of Chances.t
 
 let of_one ~on subject (outcome : Plane.outcome) =
   match (outcome, subject) with
-  | Value i, Number c -> Words.value (List.nth c.parts i).value
+  | Value i, Number c -> Words.value c.ranges (List.nth c.parts i).value
   | Value _, Claim -> Scc_base.Bug.fail __POS__ "a claim with a number"
   | Holds, _ -> "holds"
   | Fails, _ -> "fails"

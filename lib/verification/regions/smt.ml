@@ -23,10 +23,31 @@ let check ~name (title, (w : Where.t)) =
     definition ~name title "-unknown" w.unknown;
   ]
 
-let script ranges checks =
+(* An end that is infinite has no term: a bound says nothing there. *)
+let number ~name (title, (c : Chances.t)) =
+  let function_of suffix end_ =
+    let term (part : Chances.part) =
+      Option.map (fun form -> (Text.smt_union ~name part.set, Text.smt_form ~name form)) (end_ part.value)
+    in
+    let finite = List.filter_map term c.parts in
+    let without (part : Chances.part) = Option.is_none (end_ part.value) in
+    let infinite = List.concat_map (fun (p : Chances.part) -> Union.pieces p.set) (List.filter without c.parts) in
+    let case (set, form) rest = Printf.sprintf "(ite %s %s %s)" set form rest in
+    let cases = List.fold_right case finite "0.0" in
+    [
+      Printf.sprintf "(define-fun %s () Real %s)" (Text.smt_symbol (title ^ suffix)) cases;
+      definition ~name title (suffix ^ "-infinite")
+        (Union.of_polyhedra (Array.length c.ranges) infinite);
+    ]
+  in
+  function_of "-low" (fun (v : Chances.value) -> v.least) @ function_of "-high" (fun (v : Chances.value) -> v.most)
+
+let script ranges ~numbers checks =
   let name = parameter ranges in
   let declaration i _ = Printf.sprintf "(declare-const %s Real)" (Text.smt_symbol (name i)) in
   let box = Printf.sprintf "(assert %s)" (Text.smt_polyhedron ~name (Ranges.box ranges)) in
   let head = [ "(set-info :smt-lib-version 2.6)"; "(set-logic QF_LRA)" ] in
   let declarations = Array.to_list (Array.mapi declaration ranges) in
-  String.concat "\n" (head @ declarations @ [ box ] @ List.concat_map (check ~name) checks) ^ "\n"
+  String.concat "\n" 
+    (head @ declarations @ [ box ] @ List.concat_map (check ~name) checks @ List.concat_map (number ~name) numbers)
+  ^ "\n"

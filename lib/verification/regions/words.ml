@@ -104,31 +104,43 @@ let told ranges name u = (name ^ " where") :: listed ranges u
 
 (* {1 Functions} *)
 
-let value (v : Piecewise.value) =
-  if Rat.equal v.least v.most then Rat.to_string v.least
-  else Printf.sprintf "from %s to %s, not known better" (Rat.to_string v.least) (Rat.to_string v.most)
+let value ranges (v : Chances.value) =
+  let form = Text.form ~name:(Ranges.name ranges) in
+  match (v.least, v.most) with
+  | None, _ -> "infinite"
+  | Some least, Some most when Linear.equal least most -> form least
+  | Some least, Some most -> Printf.sprintf "from %s to %s, not known better" (form least) (form most)
+  | Some least, None -> Printf.sprintf "at least %s, not known better" (form least)
 
 let mean c =
   match Chances.mean c with
   | None -> "mean not computed"
-  | Some v when Rat.equal v.least v.most -> "mean " ^ number v.least
-  | Some v -> Printf.sprintf "mean at least %s, and at most %s" (number v.least) (number v.most)
+  | Some { low = None; _ } -> "mean infinite"
+  | Some { low = Some low; high = Some high } when Rat.equal low high -> "mean " ^ number low
+  | Some { low = Some low; high = Some high } ->
+    Printf.sprintf "mean at least %s, and at most %s" (number low) (number high)
+  | Some { low = Some low; high = None } -> Printf.sprintf "mean at least %s" (number low)
 
 let chances (c : Chances.t) =
-  let { Piecewise.least; most } = Chances.extremes c in
   let whole = Ranges.to_string c.ranges in
   let for_ = if whole = "" then "" else ", for " ^ whole in
-  match c.parts with
-  | [ _ ] when Rat.equal least most -> number least ^ for_
-  | [ { value = v; _ } ] -> value v ^ for_
-  | _ -> Printf.sprintf "%s to %s%s; %s" (Rat.to_string least) (Rat.to_string most) for_ (mean c)
+  match (c.parts, Chances.extremes c) with
+  | [ _ ], { low = Some least; high = Some most } when Rat.equal least most -> number least ^ for_
+  | [ { value = v; _ } ], _ -> value c.ranges v ^ for_
+  | _, { low = None; _ } -> "infinite" ^ for_
+  | _, { low = Some low; high = Some high } ->
+    Printf.sprintf "%s to %s%s; %s" (Rat.to_string low) (Rat.to_string high) for_ (mean c)
+  | _, { low = Some low; high = None } ->
+    let known = List.for_all (fun (p : Chances.part) -> Chances.is_known p.value) c.parts in
+    let format = if known then format_of_string "%s to infinite%s; %s" else "at least %s%s; %s" in
+    Printf.sprintf format (Rat.to_string low) for_ (mean c)
 
 let chances_lines (c : Chances.t) =
   let n = Array.length c.ranges in
   let of_part (part : Chances.part) =
     let line p =
       let extent = if Polyhedron.affine_dimension p < n then " (" ^ without_extent n ^ ")" else "" in
-      Printf.sprintf "%s%s: %s" (piece c.ranges p) extent (value part.value)
+      Printf.sprintf "%s%s: %s" (piece c.ranges p) extent (value c.ranges part.value)
     in
     List.map line (Union.pieces part.set)
   in

@@ -16,15 +16,17 @@ val without_extent : int -> string
 (** The remark for a piece of a smaller dimension than the number of parameters: ["no length"] for 1, ["no
     area"] for 2, ["no volume"] for more. *)
 
-val value : Piecewise.value -> string
-(** A number, or what is known of it: ["3/8"], ["from 0 to 3/8, not known better"]. *)
+val value : Ranges.t -> Chances.value -> string
+(** A number, or what is known of it, as a function of the parameters: ["3/8"], ["5/2 - x"],
+    ["from 0 to 3/8, not known better"]. *)
 
 val chances : Chances.t -> string
-(** A probability over all starts in one line: its extremes and its mean, as
+(** A probability or a mean over all starts in one line: its extremes and its mean, as
     ["0 to 3/8, for x in [0, 4\]; mean 3/16 = 0.1875"]. *)
 
 val chances_lines : Chances.t -> string list
-(** A probability over all starts by its pieces, as ["0 <= x < 2: 3/8"], and its mean in the last line. *)
+(** A probability or a mean over all starts by its pieces, as ["0 <= x < 2: 3/8"], and its mean in the last
+    line. *)
 
 val lines : Where.t -> string list
 (** The lines of a report, without indentation:

@@ -5,15 +5,31 @@ open Scc_state_sets
 open Chance_tree
 module Truth = Scc_ctl.Truth
 
-type question = { claim : Property.prop; goal : Property.prop; bound : Property.bound }
+type wanted = Chance | Time | Happenings of Property.prop | Value_at of Property.num * Rat.t
+type question = { wanted : wanted; claim : Property.prop; goal : Property.prop; bound : Property.bound }
+
+let about number : Property.prop = Compare (Eq, number, Const Rat.zero)
+
+let same_wanted a b =
+  match (a, b) with
+  | Chance, Chance | Time, Time -> true
+  | Happenings p, Happenings q -> Formula.equal_prop p q
+  | Value_at (n, t), Value_at (m, u) -> Rat.equal t u && Formula.equal_prop (about n) (about m)
+  | (Chance | Time | Happenings _ | Value_at _), _ -> false
 
 let same_question a b =
-  Formula.equal_prop a.claim b.claim && Formula.equal_prop a.goal b.goal
+  same_wanted a.wanted b.wanted
+  && Formula.equal_prop a.claim b.claim && Formula.equal_prop a.goal b.goal
   && Rat.equal a.bound.low b.bound.low
   && Option.equal Rat.equal a.bound.high b.bound.high
 
+let predicates question =
+  let number = match question.wanted with Value_at (n, _) -> [ about n ] | Chance | Time | Happenings _ -> [] in
+  question.claim :: question.goal :: number
+
 type t = {
   context : Instant.context;
+  atoms : Atoms.context;
   events : Property.event array;
   question : question;
   goal : Atoms.view -> (Polyhedron.t * Truth.t) list;
@@ -22,17 +38,19 @@ type t = {
 }
 
 let make context (question : question) =
-  let formulas = [ Property.State question.claim; State question.goal ] in
+  let formulas = List.map (fun p -> Property.State p) (predicates question) in
   let events = Scc_data.Lists.distinct Formula.equal_event (List.concat_map Formula.events formulas) in
   let events = Array.of_list events in
   let atoms = Atoms.context context ~events in
   let goal = Atoms.truth atoms question.goal and claim = Atoms.truth atoms question.claim in
-  { context; events; question; goal; claim; reasons = [] }
+  { context; atoms; events; question; goal; claim; reasons = [] }
 
+let question t = t.question
 let events t = t.events
+
 let see_speed t =
   let sees p = List.exists (Atom.depends_on Speed) (Formula.atoms (Property.State p)) in
-  sees t.question.claim || sees t.question.goal
+  List.exists sees (predicates t.question)
 
 let reasons t = List.sort String.compare t.reasons
 
@@ -141,9 +159,124 @@ let is_steady (p : Property.prop) = Formula.steady ~rigid:false p && not (Formul
 let nothing_on_the_way t =
   is_steady t.question.claim && is_steady t.question.goal && Rat.sign t.question.bound.low = 0
 
+(* {1 Means} *)
+
+let gain least most tree = Gain { least; most; tree }
+let after_time t time tree = match t.question.wanted with Time -> gain time time tree | _ -> tree
+
+let after_happening t (z : Zone.t) ~source label tree =
+  match t.question.wanted with
+  | Chance | Time | Value_at _ -> tree
+  | Happenings p ->
+    let { Scc_evaluate.Counted.least; most } = Scc_evaluate.Counted.by t.context.semantics ~source label p in
+    let number k = Linear.constant (Zone.dimension z) (Rat.of_int k) in
+    if most = 0 then tree else gain (number least) (number most) tree
+
+let depends_on_instants t = match t.question.wanted with Time | Value_at _ -> true | Chance | Happenings _ -> false
+
+let at_dead_end t =
+  match t.question.wanted with
+  | Chance | Time | Happenings _ -> Lost
+  | Value_at _ -> undecided t "a run may end in a dead end before the number is taken"
+
+(* The lower bounds that a polyhedron sets to its last variable, over the others. *)
+let lower_ends ~n p =
+  let of_constraint (c : Constraint.t) =
+    let a = c.normal.(n) in
+    if Z.sign a < 0 || (Z.sign a > 0 && c.relation = Equal) then
+      let part k = Rat.make (Z.neg k) a in
+      Some (Linear.make ~constant:(Rat.make c.right a) (Array.map part (Array.sub c.normal 0 n)))
+    else None
+  in
+  List.filter_map of_constraint (Polyhedron.constraints p)
+
+(* Regions of the others with the least value of the last variable, which need not be attained. *)
+let infima ~n p =
+  let there = Polyhedron.project p (Array.init n Fun.id) in
+  let ends = List.sort_uniq Linear.compare (lower_ends ~n p) in
+  let of_end i f =
+    let beyond j g =
+      if i = j then [] else [ (if j < i then Constraint.greater f g else Constraint.at_least f g) ]
+    in
+    List.map (fun q -> (q, f)) (Region.where there (List.concat (List.mapi beyond ends)))
+  in
+  List.concat (List.mapi of_end ends)
+
+(* The first of what may come on some regions, which are made disjoint. *)
+let first_of all =
+  let add found (region, time) =
+    let beside (left, kept) (r, u) =
+      let of_left p =
+        match Region.split p (Polyhedron.constraints r) with
+        | None, rest -> (rest, [])
+        | Some both, rest ->
+          let earlier, later = Region.split both [ Constraint.less time u ] in
+          (rest, List.map (fun q -> (q, time)) (Option.to_list earlier) @ List.map (fun q -> (q, u)) later)
+      in
+      let others = snd (Region.split r (Polyhedron.constraints region)) in
+      let parts = List.map of_left left in
+      (List.concat_map fst parts, List.map (fun q -> (q, u)) others @ List.concat_map snd parts @ kept)
+    in
+    let left, kept = List.fold_left beside ([ region ], []) found in
+    List.map (fun q -> (q, time)) left @ kept
+  in
+  List.fold_left add [] all
+
+(* When the goal comes first. What is not known may come before. *)
+let first_times t (z : Zone.t) (cell : Passing.due First.cell) =
+  let n = Zone.dimension z in
+  let w = on_the_way t (Passing.trajectory t.context z cell) in
+  let none = Union.empty n in
+  let parts = divided cell.region { won = none; open_ = project w.open_ ~dimension:n; lost = none } in
+  let won = first_of (List.concat_map (infima ~n) (Union.pieces w.won)) in
+  let of_part (region, met) =
+    let cut (left, found) (p, time) =
+      let cut_one q =
+        let inside, rest = Region.split q (Polyhedron.constraints p) in
+        (List.map (fun q -> (q, Some (gain time time Won))) (Option.to_list inside), rest)
+      in
+      let parts = List.map cut_one left in
+      (List.concat_map snd parts, List.concat_map fst parts @ found)
+    in
+    match met with
+    | Some _ -> [ (region, met) ]
+    | None ->
+      let left, found = List.fold_left cut ([ region ], []) won in
+      List.map (fun q -> (q, None)) left @ found
+  in
+  List.concat_map of_part parts
+
+let value t number ~passing (z : Zone.t) =
+  let known (p, v) = (p, Some (match v with Ok form -> Is form | Error reason -> undecided t reason)) in
+  List.map known (Atoms.number t.atoms number { zone = z; passing; quiescent = [] })
+
+(* Where the time comes before the next event, the number is taken. *)
+let at_time t (z : Zone.t) (cell : Passing.due First.cell) number time =
+  let zero = Linear.constant (Zone.dimension z) Rat.zero in
+  let left =
+    match z.time with
+    | Some now -> Linear.sub (Linear.constant (Zone.dimension z) time) now
+    | None -> Scc_base.Bug.fail __POS__ "time is asked for, and not kept"
+  in
+  let goes_on, here =
+    match cell.time with
+    | None -> (None, [ cell.region ])
+    | Some next -> Region.split cell.region [ Constraint.at_most next left ]
+  in
+  let taken region =
+    let at_once, passing = Region.split region [ Constraint.equals left zero ] in
+    let later set = Zone_time.after (Scc_semantics.Semantics.model t.context.semantics) { z with set } left in
+    List.concat_map (fun set -> value t number ~passing:false { z with set }) (Option.to_list at_once)
+    @ List.concat_map (fun set -> value t number ~passing:true (later set)) passing
+  in
+  List.map (fun p -> (p, None)) (Option.to_list goes_on) @ List.concat_map taken here
+
 let along t (z : Zone.t) (cell : Passing.due First.cell) =
-  if nothing_on_the_way t then [ (cell.region, None) ]
-  else
+  match t.question.wanted with
+  | Value_at (number, time) -> at_time t z cell number time
+  | Chance | Time | Happenings _ when nothing_on_the_way t -> [ (cell.region, None) ]
+  | Time -> first_times t z cell
+  | Chance | Happenings _ ->
     let project u = project u ~dimension:(Zone.dimension z) in
     let w = on_the_way t (Passing.trajectory t.context z cell) in
     divided cell.region { won = project w.won; open_ = project w.open_; lost = project w.lost }

@@ -1,20 +1,40 @@
-(** The predicates of an until, on zones and on what passes by between two events (rules Until and Intervals). *)
+(** The predicates of an until, or of a mean, on zones and on what passes by between two events (rules Until and
+    Intervals). *)
 
 open Scc_exact
 open Scc_polyhedra
 open Scc_property
 open Scc_state_sets
 
+(** What is wanted of the runs with "f until g". A mean has f true, and no bound of time. *)
+type wanted =
+  | Chance  (** the probability of the until *)
+  | Time  (** the mean time until g *)
+  | Happenings of Property.prop  (** the mean number of happenings until g of which this is so *)
+  | Value_at of Property.num * Rat.t
+  (** the mean of a number at a time, until which the bound reaches; g is false *)
+
 (** "f until g" of state predicates, with a bound of the time at which g comes. *)
-type question = { claim : Property.prop;  (** f *) goal : Property.prop;  (** g *) bound : Property.bound }
+type question = {
+  wanted : wanted;
+  claim : Property.prop;  (** f *)
+  goal : Property.prop;  (** g *)
+  bound : Property.bound;
+}
 
 val same_question : question -> question -> bool
-(** [same_question a b] is true if [a] and [b] are the same terms with the same bound. *)
+(** [same_question a b] is true if [a] and [b] want the same of the same terms with the same bound. *)
+
+val predicates : question -> Property.prop list
+(** The predicates of a question; for a number one that mentions it. *)
 
 type t
 
 val make : Instant.context -> question -> t
 (** The predicates of a question. *)
+
+val question : t -> question
+(** The question itself. *)
 
 val events : t -> Property.event array
 (** The events that they speak of. *)
@@ -32,8 +52,24 @@ val judged : t -> Zone.t -> (Polyhedron.t * Chance_tree.tree option) list
 (** Regions that divide a zone: where the until is decided at this instant, or not known, and [None] where the
     run has to go on. *)
 
+val after_time : t -> Linear.t -> Chance_tree.tree -> Chance_tree.tree
+(** [after_time t time tree] is what follows if [tree] comes after this time: with the gain, if it counts. *)
+
+val after_happening :
+  t -> Zone.t -> source:Scc_calculus.State.t -> Scc_semantics.Transition.label -> Chance_tree.tree ->
+  Chance_tree.tree
+(** [after_happening t z ~source label tree] is the same for a transition with this label of states of the zone, of
+    which [source] is one. *)
+
+val depends_on_instants : t -> bool
+(** [depends_on_instants t] is true if an answer may change with the instant of a split by any amount. *)
+
+val at_dead_end : t -> Chance_tree.tree
+(** What follows states from which nothing can come. *)
+
 val along : t -> Zone.t -> Passing.due First.cell -> (Polyhedron.t * Chance_tree.tree option) list
-(** [along t z cell] divides the region of the cell in the same way, by what passes by before its next event. *)
+(** [along t z cell] divides the region of the cell in the same way, by what passes by before its next event.
+    For a mean time a region has the time at which g begins to hold, and for a number at a time its value there. *)
 
 val along_until_stop :
   t -> Zone.t -> Passing.due First.cell -> Zone.t -> (Polyhedron.t * Chance_tree.tree option) list

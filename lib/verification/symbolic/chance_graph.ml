@@ -13,6 +13,8 @@ type limits = {
   progress : zones:int -> waiting:int -> depth:int -> unit;
 }
 
+exception Not_answered of string
+
 type met = { too_late : bool; too_deep : bool; too_many : bool; stopped : bool }
 
 (* {1 The graph} *)
@@ -63,7 +65,7 @@ let later t layer (zone : Zone.t) =
     match Keys.find_opt layer.index key with
     | Some node -> node
     | None ->
-      let node = { zone = own; sets = []; trees = []; values = [] } in
+      let node = { zone = own; sets = []; trees = []; values = []; means = [] } in
       Scc_base.Critical.run (fun () ->
           Keys.add layer.index key node;
           layer.nodes <- node :: layer.nodes);
@@ -78,7 +80,7 @@ let later t layer (zone : Zone.t) =
 let cells = function [ (_, tree) ] -> tree | all -> Cells all
 
 let free t = function
-  | [] -> Lost
+  | [] -> Chance_claims.at_dead_end t.claims
   | [ (_, tree) ] -> tree
   | options ->
     t.chain <- false;
@@ -90,9 +92,13 @@ let go t layer (zones : Zone.t list) =
   let one (z : Zone.t) = (z.Zone.set, later t layer z) in
   cells (List.map one (List.concat_map (Chance_steps.settled t.context) zones))
 
+(* What a mean counts of a transition. *)
+let counted t (z : Zone.t) source label tree = Chance_claims.after_happening t.claims z ~source label tree
+
 (* Each target of an event is one way, for the states of its set. *)
-let events_of t next all =
-  List.map (fun (h : Happening.t) -> (h.target.Zone.set, go t next.within [ h.target ])) all
+let events_of t next z all =
+  let way (h : Happening.t) = (h.target.Zone.set, counted t z h.source h.label (go t next.within [ h.target ])) in
+  List.map way all
 
 let is_step_end : Passing.due -> bool = function
   | Step_end -> true
@@ -103,19 +109,23 @@ let pass t next z (cell : Passing.due First.cell) =
     match (met, cell.time) with
     | Some tree, _ -> (region, tree)
     | None, None -> (region, Lost)
-    | None, Some _ ->
+    | None, Some time ->
       let layer = if List.exists is_step_end cell.due then next.after_step else next.within in
-      (region, go t layer (Passing.until t.context z { cell with region }))
+      let tree = go t layer (Passing.until t.context z { cell with region }) in
+      (region, Chance_claims.after_time t.claims time tree)
   in
   cells (List.map on (Chance_claims.along t.claims z cell))
 
 let stop t next z (cell : Passing.due First.cell) =
+  if Chance_claims.depends_on_instants t.claims then
+    raise
+      (Not_answered "over starts, a mean of a time or of a number is not known where bonds may break at any time");
   let halted = Passing.within t.context z cell in
   let splits set =
     let halted = { halted with set } in
     let of_region region =
       let happens = Happening.all t.context ~events:t.events halted region in
-      match events_of t next happens.weak with [] -> [] | options -> [ (region, free t options) ]
+      match events_of t next halted happens.weak with [] -> [] | options -> [ (region, free t options) ]
     in
     List.concat_map of_region (Instant.cells t.context halted)
   in
@@ -131,7 +141,7 @@ let by_itself t next (z : Zone.t) =
     let happens = Happening.all c ~events:t.events z region in
     let passes = not (Scc_semantics.Network.is_urgent happens) in
     let weak = if passes && may_split then [] else happens.weak in
-    let events = events_of t next (List.concat_map List.rev [ happens.urgent; weak; happens.collisions ]) in
+    let events = events_of t next z (List.concat_map List.rev [ happens.urgent; weak; happens.collisions ]) in
     let of_cell (cell : Passing.due First.cell) =
       let stops = if may_split then stop t next z cell else [] in
       let options = pass t next z cell :: stops in
@@ -143,9 +153,11 @@ let by_itself t next (z : Zone.t) =
 
 let by_chance t next (z : Zone.t) =
   let of_region (region, (steps : Chance_steps.t)) =
+    let go (way : Chance_steps.way) = counted t z way.source way.label (go t next.within way.targets) in
+    let drawn (way : Chance_steps.way) = (Scc_semantics.Transition.chance way.label, go way) in
     match steps with
-    | Drawn ways -> (region, Drawn (List.map (fun (chance, zones) -> (chance, go t next.within zones)) ways))
-    | Chosen ways -> (region, free t (List.map (fun zones -> (region, go t next.within zones)) ways))
+    | Drawn ways -> (region, Drawn (List.map drawn ways))
+    | Chosen ways -> (region, free t (List.map (fun way -> (region, go way)) ways))
   in
   cells (List.map of_region (Chance_steps.all t.context ~events:t.events z))
 
@@ -226,9 +238,10 @@ let explore_by parameters context question limits zones =
 (* A fault is shown with the start that leads to it, which all parameters tell. *)
 let explore context (question : Chance_claims.question) limits zones =
   let by parameters = explore_by parameters context question limits zones in
-  try by (Parameters_seen.make context [ question.claim; question.goal ] zones)
+  try by (Parameters_seen.make context (Chance_claims.predicates question) zones)
   with Law_cells.Bad_law _ | Chance_steps.Bad _ -> by (Parameters_seen.all context)
 
+let question t = Chance_claims.question t.claims
 let root t = t.root
 let layers t = List.map (fun layer -> layer.nodes) t.layers
 let met t = t.met

@@ -1,5 +1,5 @@
 (** The zones that a network reaches by its free choices and by chance (rules Zones and Probability), for one
-    operator "f until g" of state predicates, with a bound of time or without.
+    operator "f until g" of state predicates, with a bound of time or without, or for one mean.
 
     Zones are explored in layers, by the number of transitions that lead to them; what follows the end of a
     movement step comes after all other zones of that step. Sets of states with the same forms over their own
@@ -19,12 +19,18 @@ type limits = {
 
 type t
 
+exception Not_answered of string
+(** A mean that is not computed, for this reason. *)
+
 (** The bounds that left zones unexpanded. *)
 type met = { too_late : bool; too_deep : bool; too_many : bool; stopped : bool }
 
 val explore : Instant.context -> Chance_claims.question -> limits -> Zone.t list -> t
 (** [explore c q limits zones] explores from disjoint zones over the parameters alone. Raises
-    {!Instant.Not_affine}, {!Law_cells.Bad_law} and {!Chance_steps.Bad}. *)
+    {!Instant.Not_affine}, {!Law_cells.Bad_law}, {!Chance_steps.Bad} and {!Not_answered}. *)
+
+val question : t -> Chance_claims.question
+(** What was explored for. *)
 
 val met : t -> met
 (** The bounds that were met. *)

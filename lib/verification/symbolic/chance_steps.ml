@@ -62,7 +62,8 @@ let settled c (z : Zone.t) =
 
 (* {1 Chance} *)
 
-type t = Drawn of (Rat.t * Zone.t list) list | Chosen of Zone.t list list
+type way = { source : State.t; label : Transition.label; targets : Zone.t list }
+type t = Drawn of way list | Chosen of way list
 
 let pending (z : Zone.t) = Array.exists waits z.skeleton.processes || Lots.pending z.skeleton
 
@@ -94,7 +95,7 @@ let draws c (z : Zone.t) region =
   | Some p ->
     let of_draw (given, chance) =
       let t = sure s (Network.drawn s.semantics s.state ~before:(fun _ -> None) p (given, chance)) in
-      (chance, [ converted c { z with arrived = [] } region t.target ])
+      { source = s.state; label = t.label; targets = [ converted c { z with arrived = [] } region t.target ] }
     in
     Drawn (List.map of_draw (sure s (Steer.chances s.semantics s.state p)))
 
@@ -104,12 +105,11 @@ let lots c ~events (z : Zone.t) region =
   let of_outcome (o : Transition.outcome) =
     let step = z.skeleton.step in
     let happenings = Happening.of_outcome c ~events z region s.state ~step o in
-    (o.label, List.concat_map (fun (h : Happening.t) -> settled c h.target) happenings)
+    let targets = List.concat_map (fun (h : Happening.t) -> settled c h.target) happenings in
+    { source = s.state; label = o.label; targets }
   in
   let outcomes = List.map of_outcome (sure s (Splits.lots s.semantics due)) in
-  if List.for_all (fun (label, _) -> Transition.is_drawn label) outcomes then
-    Drawn (List.map (fun (label, zones) -> (Transition.chance label, zones)) outcomes)
-  else Chosen (List.map snd outcomes)
+  if List.for_all (fun way -> Transition.is_drawn way.label) outcomes then Drawn outcomes else Chosen outcomes
 
 let all c ~events (z : Zone.t) =
   if Lots.pending z.skeleton then List.map (fun region -> (region, lots c ~events z region)) (Instant.cells c z)

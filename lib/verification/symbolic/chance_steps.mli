@@ -13,10 +13,17 @@ val settled : Instant.context -> Zone.t -> Zone.t list
 (** [settled c z] is [z] after what laws of motion do at the end of a transition ({!Steer.settle}): disjoint
     zones over the same variables. *)
 
+(** A transition of the states of a region, and the zones to which it leads. *)
+type way = {
+  source : Scc_calculus.State.t;  (** one of these states *)
+  label : Transition.label;
+  targets : Zone.t list;
+}
+
 (** What comes next by chance, or while something is left to it. *)
 type t =
-  | Drawn of (Scc_exact.Rat.t * Zone.t list) list  (** with these probabilities, whose sum is 1 *)
-  | Chosen of Zone.t list list  (** freely: the ways to release bonds that lots were drawn for *)
+  | Drawn of way list  (** with the probabilities of the labels, whose sum is 1 *)
+  | Chosen of way list  (** freely: the ways to release bonds that lots were drawn for *)
 (** Each way leads to disjoint zones over the variables of the zone, whose sets make up the region. *)
 
 val pending : Zone.t -> bool

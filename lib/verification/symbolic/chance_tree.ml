@@ -1,4 +1,4 @@
-(* What follows the zones of a network, by free choices and by chance, for one until ({!Chance_graph}). *)
+(* What follows the zones of a network, by free choices and by chance, for one question ({!Chance_graph}). *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -9,6 +9,9 @@ type tree =
   | Won
   | Lost
   | Open  (** not known *)
+  | Is of Linear.t  (** the value of a number *)
+  | Gain of { least : Linear.t; most : Linear.t; tree : tree }
+  (** the time until what follows, or how many happenings lead there: at least and at most *)
   | Cells of (Polyhedron.t * tree) list  (** disjoint, and together the set *)
   | Drawn of (Rat.t * tree) list
   | Free of (Polyhedron.t * tree) list  (** ways to go on, each for the states of a set *)
@@ -23,5 +26,6 @@ and node = {
   mutable sets : Polyhedron.t list;
   mutable trees : (Polyhedron.t * tree) list;  (** of each set, when it is expanded *)
   mutable values : (Polyhedron.t * Piecewise.t) list;  (** of each set, while the layer before is solved *)
+  mutable means : (Polyhedron.t * Affine.t) list;  (** of each set in the same way, for a mean *)
 }
 

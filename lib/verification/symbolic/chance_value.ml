@@ -36,6 +36,7 @@ let rec of_tree space mode ~within tree =
   | Won -> constant Rat.one Rat.one
   | Lost -> constant Rat.zero Rat.zero
   | Open -> constant Rat.zero Rat.one
+  | Is _ | Gain _ -> Scc_base.Bug.fail __POS__ "a probability of a mean"
   | Cells all -> of_cells space mode ~within all
   | Drawn ways -> (
       let ways = List.map (fun (chance, tree) -> (chance, of_ ~within tree)) ways in

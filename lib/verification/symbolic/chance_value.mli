@@ -8,6 +8,9 @@ type mode = {
   chance : [ `Mean | `Least | `Greatest ];
 }
 
+val new_constraints : within:Polyhedron.t -> Polyhedron.t -> Constraint.t list
+(** [new_constraints ~within set] are the constraints of [set] that are none of [within]. *)
+
 val solve : Chance_graph.t -> mode -> parameters:int -> Piecewise.t
 (** [solve t mode ~parameters] is the value of the runs that satisfy the until, 1 if they do and 0 if they do not,
     as a function of the starts, which are values of so many parameters. Its ends are those for unknown states

@@ -5,7 +5,7 @@ open Scc_calculus
 open Scc_semantics
 open Scc_state_sets
 
-type t = { label : Transition.label; target : Zone.t }
+type t = { source : State.t; label : Transition.label; target : Zone.t }
 
 let of_outcome c ~events (z : Zone.t) region (state : State.t) ~step (o : Transition.outcome) =
   let n = Zone.dimension z in
@@ -30,7 +30,7 @@ let of_outcome c ~events (z : Zone.t) region (state : State.t) ~step (o : Transi
       places = Array.mapi (fun i place -> if gone i then Place.constant n Vec.zero else place) z.places;
     }
   in
-  List.map (fun target -> { label = o.label; target }) (Passing.settled c target)
+  List.map (fun target -> { source = state; label = o.label; target }) (Passing.settled c target)
 
 let all (c : Instant.context) ~events z region =
   let point =

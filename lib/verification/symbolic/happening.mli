@@ -6,7 +6,11 @@ open Scc_semantics
 open Scc_property
 open Scc_state_sets
 
-type t = { label : Transition.label; target : Zone.t  (** over the same variables; not canonical *) }
+type t = {
+  source : Scc_calculus.State.t;  (** the state to which the rules were applied *)
+  label : Transition.label;
+  target : Zone.t;  (** over the same variables; not canonical *)
+}
 
 val of_outcome :
   Instant.context -> events:Property.event array -> Zone.t -> Polyhedron.t -> Scc_calculus.State.t ->

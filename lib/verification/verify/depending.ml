@@ -85,6 +85,28 @@ let to_string range ~values ~holds =
     in
     Printf.sprintf "%s, for %s" (String.concat "; " (List.map told (distinct values))) (of_all range)
 
+(* {1 What was found of a function} *)
+
+let most_values = 4
+
+let found (range : Ranges.range) ({ pieces; values } : Parametric.found) =
+  let of_piece (p : Parametric.piece) =
+    Printf.sprintf "for %s in %s it is %s" range.name
+      (between range ~low:p.low ~low_included:false ~high:p.high ~high_included:false)
+      (formula ~full:false range.name p.value)
+  in
+  let of_value (x, y) = Printf.sprintf "%s at %s = %s" (Likelihoods.number y) range.name (Rat.to_string x) in
+  let single =
+    match values with
+    | [] -> []
+    | _ ->
+      let shown = List.map of_value (List.filteri (fun i _ -> i < most_values) values) in
+      let more = List.length values - List.length shown in
+      let rest = if more > 0 then [ Printf.sprintf "%d more values were found" more ] else [] in
+      [ "it is " ^ String.concat ", " (shown @ rest) ]
+  in
+  List.map of_piece pieces @ single
+
 (* {1 Lines} *)
 
 let indent = List.map (fun l -> "  " ^ l)

@@ -18,3 +18,7 @@ val to_string : Ranges.range -> values:values -> holds:Dependence.set option -> 
 val lines : full:bool -> Ranges.range -> values:values -> holds:Dependence.set option -> string list
 (** [lines ~full range ~values ~holds] is an answer in detail: where a claim holds, and each value with its
     derivative, where it rises and falls, and its extremes. Long functions are shortened, unless [full]. *)
+
+val found : Ranges.range -> Parametric.found -> string list
+(** [found parameter f] is what was found of a function that is not known: its pieces, and a few of its values, in
+    words. *)

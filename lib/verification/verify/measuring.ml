@@ -84,13 +84,19 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
 
 (* {1 As functions of a parameter} *)
 
-let function_of (r : Unsettled.t) find : ('a, Verdict.reason list) result =
+(* Where it was given up, what was found stands beside the reason. *)
+let function_of (r : Unsettled.t) range find : ('a, Verdict.reason list) result =
   match Unsettled.evaluated r find with
   | Error why -> Error why
-  | Ok (Error (Scc_ctl.Sensitivity.Unknown why)) -> Error [ Verdict.Undefined why ]
-  | Ok (Error Interrupted) ->
-    let by stop = Verdict.Unevaluated (Lost.stopped r.lost stop) in
-    Error [ Option.fold ~none:(Verdict.Undefined "there was too little time") ~some:by (r.surroundings.stop ()) ]
+  | Ok (Error { Scc_ctl.Sensitivity.reason; found }) ->
+    let why =
+      match reason with
+      | Unknown why -> Verdict.Undefined why
+      | Interrupted ->
+        let by stop = Verdict.Unevaluated (Lost.stopped r.lost stop) in
+        Option.fold ~none:(Verdict.Undefined "there was too little time") ~some:by (r.surroundings.stop ())
+    in
+    Error (why :: List.map (fun text -> Verdict.Undefined text) (Depending.found range found))
   | Ok (Ok found) -> Ok found
 
 (* A shape that takes too long is left out. *)
@@ -99,7 +105,7 @@ let shaped r (range : Scc_calculus.Ranges.range) pieces : Depending.value =
   { pieces; shape = Result.value (Unsettled.evaluated r shape) ~default:None }
 
 let functions r temporal range sides find =
-  let of_side s = Result.map (fun pieces -> (s, shaped r range pieces)) (function_of r (fun () -> find s)) in
+  let of_side s = Result.map (fun pieces -> (s, shaped r range pieces)) (function_of r range (fun () -> find s)) in
   match sides with
   | first :: others when Temporal.is_chain temporal ->
     Result.map (fun (_, p) -> List.map (fun s -> (s, p)) (first :: others)) (of_side first)
@@ -134,7 +140,7 @@ let claim_function r temporal s i (formula : Scc_property.Property.temporal) par
     | _ -> []
   in
   let found =
-    let* set = function_of r (fun () -> Temporal.where s i) in
+    let* set = function_of r parameter (fun () -> Temporal.where s i) in
     let* values = functions r temporal parameter side (Temporal.probability_function s i) in
     Ok (depends parameter values (Some set))
   in

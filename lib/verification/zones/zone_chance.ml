@@ -19,70 +19,18 @@ let serves m (check : Property.check) =
   || match check.asked with Whether -> false | How_likely _ | Expected _ -> true
 
 let refused (m : Model.t) =
-  if Model.of_each m then Some "processes have movement steps of their own (`timestep ... local`)"
-  else if Model.stops_walkers m then Some "walkers stop where they are blocked (`blocked`)"
-  else if Model.draws_ties m then Some "chance decides which of several events comes first"
-  else if m.lots && m.splits = Any_time then Some "splits at any time are left to chance"
+  let value = "give every parameter a value, by `-D` or, for many starts, by `scc sweep -D x=0:3:1/2`" in
+  if Model.of_each m then Some ("processes have movement steps of their own (`timestep ... local`)", value)
+  else if Model.stops_walkers m then
+    Some
+      ( "walkers stop where they are blocked (rule Blocked: a kick is taken or not by all that lies on its path)",
+        value ^ "; or let walkers bounce, `blocked bounce`" )
+  else if Model.draws_ties m then Some ("chance decides which of several events comes first (rule Ties)", value)
+  else if m.lots && m.splits = Any_time then
+    Some ("splits at any time are left to chance (rule Lot)", "give a `split_step`")
   else None
 
-(* {1 Questions} *)
-
-(* A boolean combination of operators of time, each of state predicates, and of state predicates now. *)
-type question =
-  | Now of Property.prop
-  | Not of question
-  | All of question list
-  | Some_of of question list
-  | Operator of operator
-
-and operator = {
-  quantifier : Property.path_quantifier;
-  until : Chance_claims.question;
-  negated : bool;  (** it is asked how likely the until is not *)
-}
-
-exception Not_asked of string
-
-let state f =
-  match Formula.state_formula f with
-  | Some p -> p
-  | None -> raise (Not_asked "over starts, operators of time do not stand within others")
-
-let until bound claim goal : Chance_claims.question = { claim; goal; bound }
-
-let rec question (f : Property.temporal) =
-  match f with
-  | State p -> Now p
-  | Temporal_not f -> Not (question f)
-  | Temporal_and all -> All (List.map question all)
-  | Temporal_or all -> Some_of (List.map question all)
-  | Finally (quantifier, bound, g) ->
-    Operator { quantifier; until = until bound (Bool true) (state g); negated = false }
-  | Until (quantifier, bound, f, g) ->
-    Operator { quantifier; until = until bound (state f) (state g); negated = false }
-  | Globally (quantifier, bound, f) ->
-    Operator { quantifier; until = until bound (Bool true) (Formula.negate (state f)); negated = true }
-  | Next _ -> raise (Not_asked "over starts, X has no probability")
-
-let rec predicates = function
-  | Now p -> [ p ]
-  | Not q -> predicates q
-  | All all | Some_of all -> List.concat_map predicates all
-  | Operator { until; _ } -> [ until.claim; until.goal ]
-
-let asked f =
-  let q = question f in
-  if List.exists Search_sets.asks_for_rest (predicates q) then
-    raise (Not_asked "over starts, `quiescent` is not known in an operator with a probability");
-  q
-
 (* {1 Explorations} *)
-
-let rec untils = function
-  | Now _ -> []
-  | Not q -> untils q
-  | All all | Some_of all -> List.concat_map untils all
-  | Operator { until; _ } -> [ until ]
 
 (* An exploration is that of all checks of a model that ask about the same until. It is kept for those to come. *)
 type shared = {
@@ -91,18 +39,16 @@ type shared = {
 }
 
 let shared checks =
-  let of_check (c : Property.check) = match asked c.formula with q -> untils q | exception Not_asked _ -> [] in
-  { to_come = List.concat_map of_check checks; known = [] }
+  { to_come = List.concat_map Zone_question.untils_of checks; known = [] }
 
 let groups checks =
-  let asked_about (c : Property.check) = match asked c.formula with q -> untils q | exception Not_asked _ -> [] in
   let common (_, us) (_, vs) = List.exists (fun u -> List.exists (Chance_claims.same_question u) vs) us in
   let add found x =
     let near, others = List.partition (List.exists (common x)) found in
     (x :: List.concat near) :: others
   in
   let by_number (i, _) (j, _) = Int.compare i j in
-  List.mapi (fun i c -> ((i, c), asked_about c)) checks
+  List.mapi (fun i c -> ((i, c), Zone_question.untils_of c)) checks
   |> List.fold_left add []
   |> List.map (fun group -> List.sort by_number (List.map fst group))
   |> List.sort (fun a b -> by_number (List.hd a) (List.hd b))
@@ -172,7 +118,7 @@ let explored_anew w (until : Chance_claims.question) =
   let m = Semantics.model w.context.semantics in
   let timed = Rat.sign until.bound.low > 0 || Option.is_some until.bound.high in
   let bounded = Option.is_some (Bounds.value w.options.bounds.time) in
-  let named = [ Property.State until.claim; State until.goal ] in
+  let named = List.map (fun p -> Property.State p) (Chance_claims.predicates until) in
   let keeps_time = timed || bounded || m.keeps_time || List.exists Formula.mentions_time named in
   let graph = Chance_graph.explore w.context until (limits w) (zones w ~keeps_time) in
   w.explored <- graph :: w.explored;
@@ -200,7 +146,7 @@ let box w = Ranges.box w.ranges
 let flipped : [ `Least | `Greatest ] -> [ `Least | `Greatest ] = function `Least -> `Greatest | `Greatest -> `Least
 
 (* The values of an operator, of which it is asked how it is at least or at most. *)
-let pieces w graph { negated; _ } ~chance side =
+let pieces w graph { Zone_question.negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
   let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
   let mode = { Chance_value.choice; chance } in
@@ -231,7 +177,7 @@ let by_test w pieces test =
 
 let surely : Answer.bound = { relation = At_least_so; than = Rat.one }
 
-let of_operator w o =
+let of_operator w (o : Zone_question.operator) =
   let pieces = pieces w (explore w o.until) o in
   match o.quantifier with
   | All -> by_test w (pieces ~chance:false `Least) surely
@@ -251,7 +197,7 @@ let now w p =
   in
   { holds = those True; fails = those False }
 
-let rec sets w = function
+let rec sets w : Zone_question.t -> sets = function
   | Now p -> now w p
   | Operator o -> of_operator w o
   | Not q ->
@@ -261,7 +207,7 @@ let rec sets w = function
     let both a b = { holds = Union.inter a.holds b.holds; fails = Union.union a.fails b.fails } in
     List.fold_left both { holds = Union.of_polyhedron (box w); fails = Union.empty (Array.length w.ranges) }
       (List.map (sets w) all)
-  | Some_of all -> sets w (Not (All (List.map (fun q -> Not q) all)))
+  | Some_of all -> sets w (Not (All (List.map (fun q -> Zone_question.Not q) all)))
 
 (* {1 Verdicts} *)
 
@@ -304,27 +250,26 @@ let unknown ranges =
   let none = Union.empty (Array.length ranges) in
   Where.make ranges ~holds:none ~fails:none
 
-let measured w sides o =
-  let graph = explore w o.until in
-  let of_side s = Chances.make w.ranges (pieces w graph o ~chance:true (side s)) in
-  let starts =
-    match sides with
-    | first :: (_ :: _ as others) when Chance_graph.is_chain graph ->
-      let found = of_side first in
-      (first, found) :: List.map (fun s -> (s, found)) others
-    | _ -> List.map (fun s -> (s, of_side s)) sides
-  in
+(* Where nothing is left to choose, what is found for one side is so for the other. *)
+let of_sides graph sides find =
+  match sides with
+  | first :: (_ :: _ as others) when Chance_graph.is_chain graph ->
+    let found = find first in
+    (first, found) :: List.map (fun s -> (s, found)) others
+  | _ -> List.map (fun s -> (s, find s)) sides
+
+let by_start w starts : Verdict.t =
+  let answer = Option.fold ~none:Answer.Infinite ~some:(fun x -> Answer.Exact x) in
   let value (s, chances) =
-    let { Piecewise.least; most } = Chances.extremes chances in
-    (s, { Scc_ctl.Eval.least = Exact least; most = Exact most })
+    let { Chances.low; high } = Chances.extremes chances in
+    (s, { Scc_ctl.Eval.least = answer low; most = answer high })
   in
-  let is_open (p : Chances.part) = not (Rat.equal p.value.least p.value.most) in
+  let is_open (p : Chances.part) = not (Chances.is_known p.value) in
   let some_open = List.exists (fun (_, (c : Chances.t)) -> List.exists is_open c.parts) starts in
   let reasons = if some_open then snd (reasons w) else [] in
-  Verdict.Measured { values = List.map value starts; reasons; witness = None; curve = []; starts }
+  Measured { values = List.map value starts; reasons; witness = None; curve = []; starts }
 
-let decided w q =
-  let { holds; fails } = sets w q in
+let of_sets w { holds; fails } =
   let where = Where.make w.ranges ~holds ~fails in
   let verdict : Verdict.t =
     if not (Union.is_empty where.fails) then Violated { witness = None }
@@ -333,12 +278,80 @@ let decided w q =
   in
   (verdict, where)
 
+let measured w sides (o : Zone_question.operator) =
+  let graph = explore w o.until in
+  let known (p, v) = (p, Chances.known w.ranges v) in
+  let of_side s = Chances.make w.ranges (List.map known (pieces w graph o ~chance:true (side s))) in
+  by_start w (of_sides graph sides of_side)
+
+(* {2 Means} *)
+
+exception Unknown_somewhere
+
+(* The ends of a mean on pieces that divide the box. Where all is known, one of them is enough. *)
+let mean_ends w graph s =
+  let f unknown = Chance_mean.solve graph { choice = side s; unknown } ~parameters:(Array.length w.ranges) in
+  let pieces box f = Affine.pieces box f in
+  let known = function
+    | Some v -> v
+    | None -> Bug.fail __POS__ "a start without a value"
+  in
+  let all_known = fst (reasons w) = [] && snd (reasons w) = [] in
+  let least = f `Least in
+  let with_most most (p, v) = List.map (fun (q, u) -> (q, known v, known u)) (pieces p most) in
+  if all_known then List.map (fun (p, v) -> (p, known v, known v)) (pieces (box w) least)
+  else List.concat_map (with_most (f `Greatest)) (pieces (box w) least)
+
+let form : Affine.value -> Linear.t option = function
+  | Finite f -> Some f
+  | Infinite -> None
+  | Unknown -> raise Unknown_somewhere
+
+(* Where a mean stands so to a number. *)
+let where_it_is w pieces (test : Answer.bound) =
+  let constraint_ f =
+    let than = Linear.constant (Linear.dimension f) test.than in
+    match test.relation with
+    | Less -> Constraint.less f than
+    | At_most -> Constraint.at_most f than
+    | At_least_so -> Constraint.at_least f than
+    | More -> Constraint.greater f than
+  in
+  let split p : Affine.value -> Polyhedron.t list * Polyhedron.t list = function
+    | Finite f ->
+      let yes, no = Region.split p [ constraint_ f ] in
+      (Option.to_list yes, no)
+    | Infinite -> if Answer.holds Infinite test = Some true then ([ p ], []) else ([], [ p ])
+    | Unknown -> ([], [])
+  in
+  let both (p, least, most) =
+    let yes, no = split p least in
+    (List.concat_map (fun q -> fst (split q most)) yes, List.concat_map (fun q -> snd (split q most)) no)
+  in
+  let parts = List.map both pieces in
+  let all side = Union.of_polyhedra (Array.length w.ranges) (List.concat_map side parts) in
+  { holds = all fst; fails = all snd }
+
+let mean w sides mean (test : Answer.bound option) =
+  let graph = explore w (Zone_question.of_mean mean) in
+  match (test, sides) with
+  | Some test, s :: _ -> of_sets w (where_it_is w (mean_ends w graph s) test)
+  | _ ->
+    let value (p, least, most) = (p, { Chances.least = form least; most = form most }) in
+    let of_side s = Chances.make w.ranges (List.map value (mean_ends w graph s)) in
+    let verdict =
+      match of_sides graph sides of_side with
+      | starts -> by_start w starts
+      | exception Unknown_somewhere -> Undecided (snd (reasons w))
+    in
+    (verdict, unknown w.ranges)
+
 let answer w (check : Property.check) =
   match check.asked with
-  | Expected _ -> raise (Not_asked "a mean over the runs is not computed over starts")
-  | Whether -> decided w (asked check.formula)
+  | Expected (sides, asked, test) -> mean w sides asked test
+  | Whether -> of_sets w (sets w (Zone_question.of_formula check.formula))
   | How_likely sides -> (
-      match asked check.formula with
+      match Zone_question.of_formula check.formula with
       | Operator o -> (measured w sides o, unknown w.ranges)
       | Now _ | Not _ | All _ | Some_of _ -> Bug.fail __POS__ "a probability of no operator")
 
@@ -362,7 +375,7 @@ let check (options : Setup.t) shared semantics context u ~declared (check : Prop
   | verdict, where -> Ok { verdict; where; stats = stats w ~faults:[] }
   | exception Limits.Over stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
   | exception Ill_formed fault -> Error fault
-  | exception Not_asked reason -> without (Undefined reason) []
+  | exception (Zone_question.Not_asked reason | Chance_graph.Not_answered reason) -> without (Undefined reason) []
   | exception Instant.Not_affine reason -> without (Fault reason) []
   | exception Law_cells.Bad_law { leaf; fault; at } -> faulty (Bad_law { leaf; fault }) at
   | exception Chance_steps.Bad { fault; at } -> faulty fault at

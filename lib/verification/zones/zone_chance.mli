@@ -15,8 +15,8 @@ val serves_all : Model.t -> bool
 val serves : Model.t -> Property.check -> bool
 (** [serves m check] is true if {!serves_all}, or the check asks for a probability or a mean. *)
 
-val refused : Model.t -> string option
-(** What chance decides in such a model that is not followed over zones, in words. *)
+val refused : Model.t -> (string * string) option
+(** What chance decides in such a model that is not followed over zones, in words, and what to do instead. *)
 
 type result = {
   verdict : Verdict.t;

@@ -26,7 +26,7 @@ let refused (m : Model.t) use =
   else if Option.is_some m.round_velocity then because "its velocities are rounded" fixed
   else
     match (use, Zone_chance.refused m) with
-    | Zones, Some reason -> because reason "give every parameter a value"
+    | Zones, Some (reason, instead) -> because reason instead
     | Zones, None -> []
     | (Graph | Invariants), _ when m.steered -> because "a law of motion steers its bodies" fixed
     | (Graph | Invariants), _ when m.lots ->
@@ -227,12 +227,22 @@ let concluding ~after explored =
   in
   snd (List.fold_right later explored (after, []))
 
-let report options semantics u ~declared ~initial ~after explored : Check.report =
+(* A group that is explored, and the verdicts of its checks with their numbers. *)
+type concluded = { explored : Zone_explored.t; found : (int * Verdict.outcome * Where.t) list }
+
+let concluded options semantics u ~declared ~after explored =
+  let one ((e, _) as with_shares) =
+    { explored = e; found = outcomes options semantics u ~declared with_shares }
+  in
+  List.map one (concluding ~after explored)
+
+let had_share c = List.exists (fun (_, (o : Verdict.outcome), _) -> Verdict.had_share o.verdict) c.found
+
+let report semantics ~initial concluded : Check.report =
   let m = Semantics.model semantics in
+  let explored = List.map (fun c -> c.explored) concluded in
   let sorted =
-    concluding ~after explored
-    |> List.concat_map (outcomes options semantics u ~declared)
-    |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
+    List.concat_map (fun c -> c.found) concluded |> List.sort (fun (i, _, _) (j, _, _) -> Int.compare i j)
   in
   let by_number l = List.map snd (List.sort (fun (i, _) (j, _) -> Int.compare i j) l) in
   let stats = List.map (stats m) explored in
@@ -251,9 +261,7 @@ let report options semantics u ~declared ~initial ~after explored : Check.report
   }
 
 (* [after] other checks come next. *)
-let without_chance (options : Setup.t) semantics u ~declared ~exactly ~premises ~after checks =
-  let context = Instant.context semantics in
-  let initial = By_invariant.initial semantics declared in
+let without_chance (options : Setup.t) semantics context u ~declared ~initial ~exactly ~premises ~after checks =
   (* All are explored before an invariant is searched for, so that no search takes the time of another check. *)
   let explored =
     let* groups = groups options context u ~initial ~premises checks in
@@ -268,7 +276,24 @@ let without_chance (options : Setup.t) semantics u ~declared ~exactly ~premises 
   | Error { Start.at; reason } -> Error { at; reason }
   | Ok explored ->
     let proved = List.map (fun (proved, share) -> proved (Setup.share options share)) explored in
-    Ok (report options semantics u ~declared ~initial ~after proved)
+    Ok (concluded options semantics u ~declared ~after proved)
+
+(* What its share has ended begins anew with the seconds that all others have left. *)
+let anew (options : Setup.t) semantics context u ~declared ~initial ~exactly all =
+  let run options (group : Zone_groups.t) =
+    of_group options semantics context u ~declared ~initial ~exactly group
+    |> Result.map (fun proved -> List.hd (concluded options semantics u ~declared ~after:0 [ proved options ]))
+  in
+  let is_over () = Option.is_some (options.surroundings.stop ()) in
+  let cut, kept = List.partition had_share all in
+  if cut = [] || is_over () then Ok all
+  else
+    List.map (fun c -> c.explored.group) cut
+    |> Setup.in_rounds options ~size:(fun (g : Zone_groups.t) -> List.length g.members)
+      ~cut:(function Ok c -> had_share c | Error _ -> false)
+      run
+    |> Result.all Fun.id
+    |> Result.map (fun again -> again @ kept)
 
 (* {1 Chance} *)
 
@@ -334,15 +359,29 @@ let run options semantics u ~declared ~exactly ~premises checks =
   let drawn, others = List.partition serves checks in
   let is_drawn (p : Property.check) = List.exists (fun (c : Property.check) -> String.equal c.name p.name) drawn in
   let of_drawn, of_others = List.partition is_drawn premises in
-  let* (report : Check.report) =
-    if others = [] && (drawn <> [] || Zone_chance.serves_all m) then Ok nothing
+  let context = Instant.context semantics and initial = By_invariant.initial semantics declared in
+  let explored =
+    if others = [] && (drawn <> [] || Zone_chance.serves_all m) then Ok None
     else
       let after = List.length drawn in
-      without_chance options semantics u ~declared ~exactly ~premises:of_others ~after others
+      without_chance options semantics context u ~declared ~initial ~exactly ~premises:of_others ~after others
+      |> Result.map Option.some
   in
-  match by_chance options semantics u ~declared drawn with
-  | Error { Start.at; reason } -> Error { at; reason }
-  | Ok found ->
+  let both =
+    let* explored = explored in
+    let* found =
+      Result.map_error (fun { Start.at; reason } -> { at; reason }) (by_chance options semantics u ~declared drawn)
+    in
+    match explored with
+    | None -> Ok (nothing, found)
+    | Some explored ->
+      anew options semantics context u ~declared ~initial ~exactly explored
+      |> Result.map (fun explored -> (report semantics ~initial explored, found))
+      |> Result.map_error (fun { Start.at; reason } -> { at; reason })
+  in
+  match both with
+  | Error fault -> Error fault
+  | Ok ((report : Check.report), found) ->
     let n = List.length others in
     let of_checks = List.filteri (fun i _ -> i < n) report.outcomes in
     let of_premises = List.filteri (fun i _ -> i >= n) report.outcomes in

@@ -35,8 +35,14 @@ let all =
     file "estimate" "The report of scc estimate" Scc_estimate.Estimate_report.format;
     file "sweep" "A line of scc sweep --format jsonl: header, point" Scc_sweep.Table.format;
     file "view" "What a page of scc view shows: scc view --data" Scc_view.Document.format;
-    (let parts = Json_format.[ schema Scc_successors.Told.moves_text; schema Scc_successors.Told.targets_text ] in
-     let title = "What scc successors tells: its header, its answers in lines, and the texts in its frames" in
+    (let parts =
+       Json_format.
+         [
+           schema Scc_successors.Told.moves_text; schema Scc_successors.Told.targets_text;
+           schema Scc_owners.Said.format;
+         ]
+     in
+     let title = "What scc successors tells: header, answers in lines, texts in frames, lines of owners" in
      file "successors" title Scc_successors.Told.format ~parts);
     file "graph" "The state space of a model: scc explore --format json" Scc_graphs.Graph_json.format;
     file "zones" "The zones of a model with ranges or split_step any (rule Zones): scc explore --format json"

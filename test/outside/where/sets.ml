@@ -26,7 +26,7 @@ let case number ((w : Where.t), holds, fails) =
       ("holds", union holds);
       ("fails", union fails);
       ("where", Scc_reports.Where_json.where w);
-      ("smt", `String (Smt.script w.ranges [ ("it", w) ]));
+      ("smt", `String (Smt.script w.ranges ~numbers:[] [ ("it", w) ]));
       ("lines", `List (List.map (fun line -> `String line) (Words.lines w)));
       (* of three parameters one is projected, which takes longer *)
       ("svg", if Array.length w.ranges < 3 || number mod 20 = 2 then `String (picture w) else `Null);

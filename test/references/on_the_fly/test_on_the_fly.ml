@@ -232,6 +232,8 @@ module Endless = struct
   let longest _ = 0
   let bits _ _ = 0
   let duration () _ = Rat.one
+
+  include Lts.Alone
 end
 
 module Endless_graph = Explore.Make (Endless)

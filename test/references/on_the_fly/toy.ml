@@ -29,6 +29,8 @@ module System = struct
   let longest _ = 0
   let bits _ _ = 0
   let duration _ d = Rat.of_int d
+
+  include Scc_graph_search.Lts.Alone
 end
 
 (* Cell 2k is the open interval (k, k + 1), cell 2k - 1 the instant k. *)

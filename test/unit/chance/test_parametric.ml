@@ -70,7 +70,7 @@ let mdp p x =
 let question p x =
   Qualitative.until (Backwards.make (mdp p x)) ~stay:(fun _ -> true) ~goal:(Array.get p.case.goal)
 
-let solved p problem =
+let attempted effort p problem =
   let q = question p at_first in
   let all = List.concat (Array.to_list p.weighed) in
   let functions = Array.of_list (List.concat_map (fun (_, l) -> List.map snd (merged l)) all) in
@@ -79,7 +79,10 @@ let solved p problem =
     Parametric.make (Qualitative.backwards q) ~probability:(Array.get functions) ~reward:(Array.get rewards)
       ~low:Rat.zero ~high:Rat.one
   in
-  match Parametric.solve parametric (problem q) exactly ~asked:0 with
+  Parametric.solve parametric (problem q) effort ~asked:0
+
+let solved p problem =
+  match attempted exactly p problem with
   | Ok pieces -> pieces
   | Error _ -> QCheck2.Test.fail_report "given up"
 
@@ -108,6 +111,27 @@ let agrees p direction =
       samples
   in
   by Reach.problem Reach.solve && by Reward.problem Reward.solve
+
+(* Stopped at any moment: what was found before is right, and covers no more than was asked. *)
+let kept = ref 0
+
+let stands (p, direction, calls) =
+  let left = ref calls in
+  let interrupted () =
+    decr left;
+    !left < 0
+  in
+  let plain x =
+    let q = question p x in
+    Solution.value (Reach.solve q direction exactly ~asked:(Solution.States [ 0 ])) 0
+  in
+  match attempted { exactly with interrupted } p (fun q -> Reach.problem q direction) with
+  | Ok _ -> true
+  | Error { why = Solver Interrupted | Interrupted; found = { pieces; values } } ->
+    if pieces <> [] || values <> [] then incr kept;
+    List.for_all (fun (x, y) -> same (plain x) (Exact y)) values
+    && List.for_all (fun x -> List.for_all (same (plain x)) (at_value pieces x)) samples
+  | Error _ -> false
 
 let process =
   let open Gen in
@@ -145,6 +169,13 @@ let random =
 let tied =
   test ~count:250 "values as functions, where choices are alike at the first value" ~print ties
     (fun p -> both (agrees p))
+
+let stopped =
+  let gen = Gen.(triple process (oneofl [ Equations.Min; Max ]) (int_range 1 12)) in
+  let print (p, _, calls) = Printf.sprintf "%s\n%d calls" (print p) calls in
+  test ~count:1_000 "what was found stands" ~print gen stands
+
+let some_kept () = Alcotest.(check bool) (Printf.sprintf "%d stopped with something" !kept) true (!kept > 10)
 
 (* {1 Closed forms} *)
 
@@ -311,6 +342,7 @@ let () =
   Alcotest.run "parametric"
     [
       ("functions", [ random; tied; interpolated ]);
+      ("given up", [ stopped; Alcotest.test_case "something is found" `Quick some_kept ]);
       ( "closed forms",
         [
           Alcotest.test_case "Parametric: gambler's ruin" `Quick ruin;

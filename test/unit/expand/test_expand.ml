@@ -11,20 +11,23 @@ type toy = (int * int) list option array
 
 (* Things are numbered as they come up, so that no two processes have the same numbers for them. *)
 module Numbers = struct
-  type t = { number : (int, int) Hashtbl.t; mutable things : int list; first : int }
+  type t = { number : (int, int) Hashtbl.t; mutable things : int list; first : int; common : Common.numbers }
 
-  let create first = { number = Hashtbl.create 8; things = []; first }
+  let create first = { number = Hashtbl.create 8; things = []; first; common = Common.numbers () }
+  let beyond t = t.first + List.length t.things
 
-  let intern t thing =
+  let own t thing =
     match Hashtbl.find_opt t.number thing with
     | Some n -> n
     | None ->
-      let n = t.first + List.length t.things in
+      let n = beyond t in
       t.things <- t.things @ [ thing ];
       Hashtbl.replace t.number thing n;
       n
 
-  let get t n = List.nth t.things (n - t.first)
+  let thing t own = List.nth t.things (own - t.first)
+  let intern t thing_ = Common.common t.common (own t thing_) (fun own -> string_of_int (thing t own))
+  let get t n = thing t (Common.own t.common n (fun text -> own t (int_of_string text)))
 end
 
 (* A state is a number twice, in two slots of one family, so that a change may be of one or two. *)
@@ -73,6 +76,14 @@ module Toy = struct
     | Some _ | None -> None
 
   let entered _ _ = ()
+  let numbers_so_far c = Int.max (Numbers.beyond c.states) (Numbers.beyond c.durations)
+
+  let share c table =
+    Common.share c.states.common table ~kind:0 ~base:(Numbers.beyond c.states);
+    Common.share c.durations.common table ~kind:1 ~base:(Numbers.beyond c.durations);
+    true
+
+  let has_entered _ _ = true
   let transitions _ _ = 1
   let duration c label = Rat.of_int (Numbers.get c.durations label)
   let longest _ = 0
@@ -96,7 +107,7 @@ module Journal = Journal.Make (Toy) (Exchange) (Graph)
 module Compact = Compacted.Make (Toy)
 module Compact_journal = Step_journal.Make (Toy) (Exchange) (Compact)
 module Crew = Scc_parallel.Crew
-module Crews = Crew.Make (Toy) (Exchange) (Graph)
+module Crews = Crew.Make (Toy) (Graph)
 
 (** {2 What is told of an exploration} *)
 
@@ -363,19 +374,20 @@ let zigzags =
   let n = 4000 in
   let edges i = [ (((i * 7) + 1) mod n, 1); (((i * 3) + 2) mod n, 0); ((i + 1) mod n, 2) ] in
   let toy = Array.init n (fun i -> Some (edges i)) in
-  let case (by_time, reducing) =
-    { toy; depth = None; time = None; states = None; by_time; keep_edges = true; sees_edges = true; reducing }
+  let case (by_time, reducing, all) =
+    { toy; depth = None; time = None; states = None; by_time; keep_edges = all; sees_edges = all; reducing }
   in
+  let same what case expanding = Alcotest.(check bool) what true (String.equal (told case) (told ~expanding case)) in
   fun () ->
     List.iter
       (fun kind ->
          let case = case kind in
-         let expected = told case in
-         List.iter
-           (fun jobs ->
-              Alcotest.(check bool) "the same" true (String.equal expected (told ~expanding:(by_crew jobs) case)))
-           [ 2; 5 ])
-      [ (false, false); (true, false); (false, true) ]
+         List.iter (fun jobs -> same "by processes" case (by_crew jobs)) [ 2; 5 ];
+         let log, kept = kept_from [] and alone, kept_alone = kept_from [] in
+         same "and kept" case (Journal.expanding ~block:1 log (by_crew 3));
+         same "kept by one" case (Journal.expanding ~block:1 alone Graph.here);
+         Alcotest.(check (list string)) "the same notes" (kept_alone ()) (kept ()))
+      [ (false, false, true); (true, false, true); (false, true, true); (false, false, false); (true, false, false) ]
 
 let () =
   Alcotest.run "expand"

@@ -7,7 +7,7 @@ open Scc_parallel
 open Scc_test_networks
 module Graph = State_graph
 module Journal = Journal.Make (Network_lts) (Network_exchange) (State_graph)
-module Crews = Crew.Make (Network_lts) (Network_exchange) (State_graph)
+module Crews = Crew.Make (Network_lts) (State_graph)
 
 let semantics model = Scc_engine.Standard.of_model model
 

@@ -28,6 +28,8 @@ module Toy = struct
   (* The number of a state is as long as it says. *)
   let longest = Array.length
   let bits _ s = s.(0)
+
+  include Lts.Alone
 end
 
 module Graph = Explore.Make (Toy)

@@ -93,6 +93,8 @@ let valid =
       ("values", {|{"model":"m1","path":[0,0],"formula":"event bind(k) or x(p) > 1"}|});
       ("text.format", {|{"text":"process p=Cube[nil]// a\nmodel x","name":"x.sc"}|});
       ("text.describe", {|{"text":"process p = Cube [nil] check c : always x(p) = 0 or","offset":42}|});
+      ("text.complete", {|{"text":"process p = Cube [nil] check c : always x(p) = 0 or","offset":42}|});
+      ("text.fixes", {|{"text":"shape Cube = box(1,1,1) process p = Kube mass 1 [nil]"}|});
       ("model.check", Yojson.Basic.to_string (`Assoc [ ("text", `String ranged); ("where", `Bool true) ]));
       ("service.describe", "{}");
     ]

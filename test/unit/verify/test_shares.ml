@@ -106,10 +106,10 @@ let starts () =
     ~unfair:[ nothing seconds; eighths; "undecided: " ^ seconds ]
 
 let sets () =
-  let open_ = "undecided: " ^ seconds ^ share ^ "; one unexplored state matters" in
+  let open_ had = "undecided: " ^ seconds ^ had ^ "; one unexplored state matters" in
   check "sets of states, and chance after them" (of_zones without_chance)
-    ~fair:[ open_; decided; "0 to 1, for x in [0, 1]; mean 1" ]
-    ~unfair:[ open_; decided; nothing seconds ]
+    ~fair:[ open_ ""; decided; "0 to 1, for x in [0, 1]; mean 1" ]
+    ~unfair:[ open_ share; decided; nothing seconds ]
 
 let suite =
   let quick name f = Alcotest.test_case name `Quick f in

@@ -123,16 +123,23 @@ let json () =
 
 let smt () =
   let ranges = [| whole "abs" 0 4 |] in
-  let script = Smt.script ranges [ ("meets", decided ranges ~holds:(upto 1)) ] in
+  let form = Linear.of_terms 1 ~constant:Scc_exact.Rat.one [ (0, Scc_exact.Rat.make Z.one (Z.of_int 2)) ] in
+  let number = Chances.make ranges [ (Scc_calculus.Ranges.box ranges, { least = Some form; most = None }) ] in
+  let script = Smt.script ranges ~numbers:[ ("mean", number) ] [ ("meets", decided ranges ~holds:(upto 1)) ] in
   Alcotest.(check string) "script"
-    {|(set-info :smt-lib-version 2.6)
+    ({|(set-info :smt-lib-version 2.6)
 (set-logic QF_LRA)
 (declare-const param-abs Real)
 (assert (and (<= (* (- 1.0) param-abs) 0.0) (<= param-abs 4.0)))
 (define-fun meets-holds () Bool (and (<= (* (- 1.0) param-abs) 0.0) (<= param-abs 1.0)))
 (define-fun meets-fails () Bool (and (< (* (- 1.0) param-abs) (- 1.0)) (<= param-abs 4.0)))
 (define-fun meets-unknown () Bool false)
-|}
+(define-fun mean-low () Real (ite (and (<= (* (- 1.0) param-abs) 0.0) (<= param-abs 4.0)) |}
+     ^ {|(+ (* (/ 1.0 2.0) param-abs) 1.0) 0.0))
+(define-fun mean-low-infinite () Bool false)
+(define-fun mean-high () Real 0.0)
+(define-fun mean-high-infinite () Bool (and (<= (* (- 1.0) param-abs) 0.0) (<= param-abs 4.0)))
+|})
     script
 
 let suite =

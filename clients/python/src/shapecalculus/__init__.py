@@ -63,19 +63,19 @@ from .requests import Body, Fixed, Request, Touch
 from .results import Estimate, Estimated, Moment, Simulated, SimulatedRun, Swept, Traced, TraceStep, Viewed
 from .runs import Run
 from .sweeps import Record, sweep_records
-from .where import Bound, Checked, CurvePoint, Polyhedron, Region, Verdict, Where, wheres
+from .where import Bound, Checked, CurvePoint, Form, Part, Polyhedron, Region, Starts, Verdict, Where, wheres
 
 __version__ = "0.1.0"
 
 __all__ = [
     "Batch", "Body", "Bond", "Bound", "Check", "Checked", "CommandFailed", "Condition", "Contact", "CurvePoint",
     "DeclaredLeaf", "Description", "Diagnostic", "Estimate", "Estimated", "Evaluation", "Fault", "Feature", "Fixed",
-    "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
+    "Form", "FormulaRefused", "Future", "InternalError", "InvalidParams", "InvalidRequest", "Label", "Leaf",
     "LimitExceeded", "MassProperties", "Meeting", "MethodNotFound", "Model", "ModelRefused", "Moment", "Motion",
     "MovementStep", "NoTransitions", "NotInContact", "NotPossible", "Oracle", "OracleError", "PROTOCOL", "Pair",
-    "ParseError", "Place", "Polyhedron", "Process", "Record", "Region", "Replay", "Request", "RequestError",
+    "ParseError", "Part", "Place", "Polyhedron", "Process", "Record", "Region", "Replay", "Request", "RequestError",
     "Response", "Run", "ServiceError", "Shape", "ShapeRefused", "ShapeReport", "ShapeWarning", "Simulated",
-    "SimulatedRun", "State", "Step", "Stopped", "Successors", "Swept", "Touch", "TraceStep", "Traced", "Transition",
-    "UnknownHandle", "Verdict", "Viewed", "Where", "check", "estimate", "simulate", "sweep", "sweep_records",
-    "trace", "view", "wheres",
+    "SimulatedRun", "Starts", "State", "Step", "Stopped", "Successors", "Swept", "Touch", "TraceStep", "Traced",
+    "Transition", "UnknownHandle", "Verdict", "Viewed", "Where", "check", "estimate", "simulate", "sweep",
+    "sweep_records", "trace", "view", "wheres",
 ]

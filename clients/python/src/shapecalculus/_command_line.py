@@ -53,7 +53,7 @@ def where(p: argparse.ArgumentParser, keeps: str) -> None:
         "--deadline", type=positive(float), default=60.0, metavar="S", help="wait so long for the address (60)"
     )
     g.add_argument("--checkpoint", metavar="FOLDER", help="keep %s there, and go on from what is there" % keeps)
-    g.add_argument("--scc", help="the program, on each machine; by default the environment variable SCC, or scc")
+    g.add_argument("--scc", help="the program, on each machine; by default the environment variable SCC, the one in this package, or scc")
 
 
 def written(p: argparse.ArgumentParser) -> None:
@@ -75,6 +75,12 @@ def parser() -> argparse.ArgumentParser:
     )
     p.add_argument(
         "--states", type=positive(int), default=1 << 40, metavar="N", help="keep at most so many states"
+    )
+    p.add_argument(
+        "--order",
+        choices=["levels", "any"],
+        default="levels",
+        help="any: owners do not wait for each other; runs need not be the shortest, and nothing is kept",
     )
     p.add_argument("--no-reduce", action="append", default=[], metavar="NAME,...")
     p.add_argument("--witness", metavar="FOLDER", help="write the schedule of each run that shows something")

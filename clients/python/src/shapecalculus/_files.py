@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Optional
 
 #: Changes whenever what a checkpoint holds does.
-VERSION = b"scc-cluster 3 "
+VERSION = b"scc-cluster 4 "
 
 
 class BadFile(Exception):

@@ -30,8 +30,8 @@ STOPPED, USAGE, FAULT, UNWRITTEN = 4, 64, 70, 74
 #: Exit codes that are verdicts of a worker; any other says why there is none.
 VERDICTS = (0, 1, 2)
 
-#: Seconds that a worker has to end by itself, after a signal or after its verdict.
-PATIENCE = 5.0
+#: Seconds that a worker has to end by itself after its verdict, and after a signal.
+PATIENCE, SOON = 5.0, 1.5
 #: Seconds that a last word waits for a full pipe behind standard error.
 LAST_WORD = 2.0
 #: Kinds of messages of a worker.
@@ -309,7 +309,7 @@ class Guard:
 
     def patiently(self, asked: bool) -> None:
         """Lets the worker end by itself; a signal meanwhile ends the patience."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + (SOON if asked else PATIENCE)
         try:
             if asked:
                 os.kill(self.pid, signal.SIGINT)

@@ -16,7 +16,7 @@ from typing import Any, Callable, Dict, Iterator, List, Optional, Sequence, Set
 
 from ._files import BadFile, Folder
 from ._guard import FAULT, LIMITS, STOPPED, VERDICTS
-from ._service import scc_path
+from ._program import scc_path, why_not
 from ._waiting import MOST_TRIES, ClusterFailed, first_line, ready
 
 #: More parts than anybody has tasks: the first of them is empty, and tells the first line.
@@ -69,7 +69,7 @@ def run(command: Sequence[str]) -> Done:
         p = subprocess.run(list(command), stdin=subprocess.DEVNULL, capture_output=True, check=False)
     except OSError as e:
         code = STOPPED if e.errno in LIMITS else INVALID
-        return Done(code, "%s cannot be run: %s\n" % (command[0], e.strerror), b"")
+        return Done(code, why_not(command[0], e) + "\n", b"")
     said = p.stderr.decode(errors="replace")
     if p.returncode < 0:
         # Ended by its own fault, or by somebody who wanted the memory.

@@ -11,7 +11,8 @@ import threading
 from dataclasses import dataclass
 from typing import IO, Callable, List, Optional, Sequence, Union
 
-from ._service import scc_path
+from ._lifeline import tied
+from ._program import scc_path, why_not
 from .errors import ServiceError
 
 #: ``True`` shows lines of progress on standard error; a function gets each line.
@@ -174,10 +175,15 @@ def run(words: Sequence[str], text: Optional[str], scc: Optional[str], progress:
     with _CtrlC() as ctrl_c:
         try:
             process = subprocess.Popen(
-                command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE, bufsize=0
+                command,
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                bufsize=0,
+                preexec_fn=tied(True),
             )
         except (OSError, ValueError) as error:  # of a name that no file can have, too
-            raise ServiceError("cannot start %s: %s" % (command[0], error)) from error
+            raise ServiceError(why_not(command[0], error)) from error
         messages = _Messages(tell)
         running = _Running(process, (text or "").encode("utf-8"), messages)
         try:

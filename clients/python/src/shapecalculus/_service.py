@@ -12,16 +12,13 @@ import subprocess
 import time
 from typing import List, Optional, Sequence
 
+from ._lifeline import tied
+from ._program import why_not
 from .errors import ServiceError
 
 _CHUNK = 1 << 18
 # Seconds: poll takes no more milliseconds than an int of C has room for.
 _LONGEST_WAIT = 1_000_000
-
-
-def scc_path(scc: Optional[str]) -> str:
-    """The program: the one that is named, or that of the environment variable SCC, or the one that PATH finds."""
-    return scc or os.environ.get("SCC") or "scc"
 
 
 def how_ended(code: Optional[int], killed: bool) -> str:
@@ -41,10 +38,10 @@ class Service:
             timeout = None if timeout == float("inf") else timeout
         try:
             self._process = subprocess.Popen(
-                list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, close_fds=True
+                list(command), stdin=subprocess.PIPE, stdout=subprocess.PIPE, bufsize=0, preexec_fn=tied(False)
             )
         except (OSError, ValueError) as error:  # of a name that no file can have, too
-            raise ServiceError("cannot start %s: %s" % (command[0], error)) from error
+            raise ServiceError(why_not(command[0], error)) from error
         assert self._process.stdin is not None and self._process.stdout is not None
         self._stdin, self._stdout = self._process.stdin, self._process.stdout
         self._in = self._stdin.fileno()

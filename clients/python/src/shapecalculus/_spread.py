@@ -12,7 +12,7 @@ from . import numbers
 from ._files import Folder
 from ._guard import USAGE
 from ._parts import Done, PartsProgress, Spread, Work, failed, header, run, understood
-from ._service import scc_path
+from ._program import scc_path
 from ._ray import Gauges, connect, told
 from ._waiting import MANY, ClusterFailed
 from .sweeps import Record, lines_of, sweep_records

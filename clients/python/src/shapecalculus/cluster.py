@@ -1,5 +1,5 @@
 """Checks, simulations and sweeps of models on many machines, by Ray (specs/cluster.md). Needs the extra ``cluster``:
-ray, numpy, fsspec.
+ray, fsspec.
 
 from shapecalculus import cluster
 
@@ -16,7 +16,7 @@ from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from ._files import Folder, place
 from ._guard import USAGE
-from ._levels import MOST_LEVELS, Exploration, Progress
+from ._levels import Exploration, Progress
 from ._parts import PartsProgress
 from ._ray import Gauges, connect, told
 from ._spread import simulate, sweep
@@ -62,12 +62,14 @@ class Verdict:
 class Report:
     states: int = 0
     transitions: int = 0
-    depth: int = 0
+    depth: Optional[int] = 0  #: None if owners go in any order
     complete: bool = True
     properties: List[Verdict] = field(default_factory=list)
     dead_ends: List[str] = field(default_factory=list)
     faults: List[str] = field(default_factory=list)
     recovered: int = 0  #: how often owners were lost and started again
+    seconds: float = 0.0  #: of the explorations, without the start of Ray and of the owners
+    owners: int = 0
 
 
 # Verdicts -----------------------------------------------------------------------------
@@ -83,10 +85,10 @@ def either(a: str, b: str) -> str:
     return next(k for k in ("holds", "holds-up-to-bound", "undecided", "violated") if k in (a, b))
 
 
-def reasons_of(p: Progress, most: int) -> List[str]:
+def reasons_of(p: Progress, most: int, header: Any) -> List[str]:
     found = {
         "states": ["the bound of %d states" % most],
-        "levels": ["the bound of %d transitions without passing time" % MOST_LEVELS],
+        "levels": ["the bound of %s transitions without passing time" % header["bounds"]["instant"]],
     }.get(p.stopped, [])
     return found + (["a number that is too long (--bits)"] if p.too_long else []) + sorted(set(p.faults))
 
@@ -101,7 +103,7 @@ def verdict(plan: Any, p: Progress) -> str:
         for k, part in enumerate(parts):
             result = both(result, part) if kind == "all" else part if k == 0 else either(result, part)
         return result
-    if of in p.met:
+    if of in p.runs:
         return "holds" if kind == "possibly" else "violated"
     if p.complete and of not in p.doubts:
         return "violated" if kind == "possibly" else "holds"
@@ -114,7 +116,7 @@ def goal_shown(plan: Any, p: Progress) -> Optional[int]:
     if plan is None:
         return None
     ((kind, of),) = plan.items()
-    return of if kind in ("possibly", "always") and of in p.met else None
+    return of if kind in ("possibly", "always") and of in p.runs else None
 
 
 # Checks -------------------------------------------------------------------------------
@@ -158,6 +160,7 @@ def check(
     checkpoint: Optional[str] = None,
     deadline: float = 60,
     searches: bool = False,
+    order: str = "levels",
     scc: Optional[str] = None,
     progress: Optional[Callable[[Progress], None]] = None,
     disturb: Optional[Callable[[Any], None]] = None,
@@ -168,10 +171,13 @@ def check(
     states (by default one for each processor). Shards are kept in the folder ``checkpoint`` about once a second (a
     path that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
-    that are more than a search are left undecided, and not refused. ``options`` go to ``scc successors``; ``disturb``
+    that are more than a search are left undecided, and not refused. ``order``: "levels", or "any", with which owners do
+    not wait for each other, runs need not be the shortest, and nothing is kept. ``options`` go to ``scc successors``; ``disturb``
     is called with each exploration once its owners are there (for tests)."""
     if model == "-":
         raise ClusterFailed(MANY, USAGE)
+    if order == "any" and checkpoint is not None:
+        raise ClusterFailed("with --order any nothing is kept: --checkpoint needs --order levels", USAGE)
     given = arguments_of(defines or {}, checks, options)
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
@@ -186,7 +192,8 @@ def check(
         ray = connect(address, deadline)
         for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
-            explored(ray, model, of_this, scc, owners, folder, states, progress, disturb, report)
+            here = address is None
+            explored(ray, model, of_this, scc, owners, folder, states, order, here, progress, disturb, report)
     return report
 
 
@@ -210,29 +217,34 @@ def explored(
     owners: Optional[int],
     folder: Optional[Folder],
     states: int,
+    order: str,
+    here: bool,
     progress: Optional[Callable[[Progress], None]],
     disturb: Optional[Callable[[Any], None]],
     report: Report,
 ) -> None:
-    lines = Filter(model, given, scc=scc, framing="lines")
+    lines = Filter(model, given, scc=scc)
     lines.close()  # until there are runs to be shown
     header = lines.header
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
-    e = Exploration(ray, os.path.abspath(model), given, scc, header, count, folder, states, metrics(ray, progress))
+    asked = {"states": states, "order": order}
+    path, show = os.path.abspath(model), metrics(ray, progress)
+    e = Exploration(ray, path, given, scc, header, count, folder, asked, here, show)
     try:
         p = e.run(disturb)
         report.states += p.states
         report.transitions += p.transitions
-        report.depth = max(report.depth, p.depth)
+        report.depth = None if order == "any" else max(report.depth or 0, p.depth)
+        report.seconds, report.owners = report.seconds + e.seconds, count
         report.complete = report.complete and p.complete
         report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
         report.faults = sorted(set(report.faults) | set(p.faults))
         for c in header["checks"]:
             if not c["premise"]:
                 goal = goal_shown(c["plan"], p)
-                choices = None if goal is None else e.choices(*p.met[goal])
+                choices = None if goal is None else p.runs[goal]
                 schedule, why = (None, []) if choices is None else replayed(model, given, scc, goal, choices)
-                report.properties.append(shown(c, p, states, schedule, why))
+                report.properties.append(shown(c, p, states, header, schedule, why))
         report.recovered += e.recovered
     finally:
         e.close()
@@ -243,7 +255,7 @@ def replayed(
 ) -> Tuple[Optional[Any], List[str]]:
     """The schedule of a run, or why there is none. The verdict does not depend on it."""
     try:
-        lines = Filter(model, given, scc=scc, framing="lines")
+        lines = Filter(model, given, scc=scc)
         try:
             return lines.run(goal, choices)["schedule"], []
         finally:
@@ -254,11 +266,13 @@ def replayed(
         return None, [REFUSED + str(e)]
 
 
-def shown(c: Any, p: Progress, states: int, schedule: Optional[Any], why: List[str]) -> Verdict:
+def shown(
+    c: Any, p: Progress, states: int, header: Any, schedule: Optional[Any], why: List[str]
+) -> Verdict:
     if c["plan"] is None:
         return Verdict(c["name"], c["formula"], "undecided", ["it is more than a search"], None)
     kind = verdict(c["plan"], p)
-    reasons = reasons_of(p, states) if kind in ("undecided", "holds-up-to-bound") else []
+    reasons = reasons_of(p, states, header) if kind in ("undecided", "holds-up-to-bound") else []
     return Verdict(c["name"], c["formula"], kind, reasons + why, schedule)
 
 

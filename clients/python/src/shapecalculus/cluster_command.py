@@ -1,4 +1,4 @@
-"""``scc-cluster``: the program, within its guard. Ray and numpy are imported by the worker alone."""
+"""``scc-cluster``: the program, within its guard. Ray is imported by the worker alone."""
 
 from __future__ import annotations
 

@@ -103,7 +103,7 @@ def check(
     ``slice``: Draws the regions at this value of a parameter that is not an axis. For other such parameters the
       drawing shows whether a property holds for all of their values, for some, or for none.
     ``smt``: Like --where, but writes the sets to FILE, as a script of SMT-LIB 2.6 that defines for each
-      property where it holds, where it fails, and where that is unknown.
+      property where it holds, where it fails, and where that is unknown; and for a number its bounds.
     ``stats``: Prints what the run cost: seconds of each phase, states and transitions a second, memory. The
       phases are reading, exploring, searching for an invariant, and concluding: making verdicts and runs from
       the exploration. To standard error, or as measured in the JSON document. It varies from run to run.
@@ -116,10 +116,10 @@ def check(
     ``witness``: Writes a schedule for each property that has a witness to the folder DIR, which is created if
       necessary: DIR/PROPERTY.json. scc trace --schedule replays it.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.integer("--bits", bits),
@@ -216,10 +216,10 @@ def estimate(
     ``width``: Makes runs until the interval of a probability is at most W wide, and that of a mean at most this
       share of the mean; of a comparison, until it is decided. The default is 1/20. Not with --runs.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.texts("--check", check),
@@ -303,10 +303,10 @@ def simulate(
       variance of the sample, standard deviation, least, quantiles and greatest. All are exact except the
       deviation, which is rounded to --decimals, or 6.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.number("--every", every),
@@ -415,10 +415,10 @@ def sweep(
     ``width``: Makes runs until the interval of a probability is at most W wide, and that of a mean at most this
       share of the mean; of a comparison, until it is decided. The default is 1/20. Not with --runs.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.grid(model, define),
@@ -501,10 +501,10 @@ def trace(
       a schedule nor --time ends it.
     ``time``: Ends the run at the model time T, between events if necessary; 0 is its first instant.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.text("--choose", choose),
@@ -586,10 +586,10 @@ def view(
     ``without``: With --svg: leaves out NAME, a body, a part of one such as a wall that hides what is behind it
       (room.south), or a family of bodies. May be given several times.
 
-    ``scc``: the program; by default that of the environment variable SCC, or the one on the PATH. ``progress``:
-    True shows progress on standard error, and a function gets each line of it. The first Ctrl-C ends the
-    command, and the result is what was there then (``interrupted``); the second is a KeyboardInterrupt. Raises
-    CommandFailed.
+    ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
+    or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
+    of it. The first Ctrl-C ends the command, and the result is what was there then (``interrupted``); the
+    second is a KeyboardInterrupt. Raises CommandFailed.
     """
     given = [
         *words.integer("--bits", bits),

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any, Callable, Deque, Dict, Generic, Iterable,
 from typing import Sequence, Tuple, Type, TypeVar, Union
 
 from . import _handles, requests
-from ._service import Service, scc_path
+from ._program import scc_path
+from ._service import Service
 from .errors import RequestError, ServiceError, from_json
 from .geometry import Meeting
 from .models import Description
@@ -133,9 +134,10 @@ class Oracle:
     """A process of ``scc oracle``; close it, or use it in a ``with`` statement.
 
     ``scc`` is the program: a path, or a list of words to run it by (which need not be scc: any program that speaks the
-    protocol); by default the path in the environment variable SCC, or else ``scc`` wherever PATH finds it. ``seconds``
-    and ``memory`` (MiB) are what a request may take; the service sees to that. ``timeout`` (seconds) is how long
-    the client waits for a line of answers before it gives up the service; by default it waits for ever.
+    protocol); by default the path in the environment variable SCC, or else the program that this package carries, or
+    else ``scc`` wherever PATH finds it. ``seconds`` and ``memory`` (MiB) are what a request may take; the service sees
+    to that. ``timeout`` (seconds) is how long the client waits for a line of answers before it gives up the service; by
+    default it waits for ever.
     """
 
     def __init__(

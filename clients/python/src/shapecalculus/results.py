@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
-from . import frames, numbers
+from . import _display, _plots, frames, numbers
 from .models import Label, State
 from .runs import Result, Run
 from .sweeps import COLUMNS, ESTIMATES, Record
@@ -119,6 +119,28 @@ class Simulated(Result):
         exact = [name for name in columns if name not in ("run", "ended", "observable", "count")]
         return frames.frame(rows, columns, as_float, exact)
 
+    def plot(self, ax: Optional[Any] = None) -> Any:
+        """Draws the observables over time, with matplotlib: each run, or with ``summary`` means and deviations. Into
+        the axes ``ax``, or into new ones; these are returned."""
+        if self.summary:
+            return _plots.summary(self.summary, ax)
+        if not self.runs:
+            raise ValueError("nothing to plot: there are no runs here")
+        return _plots.runs(self.times, self.columns, [run.values for run in self.runs], ax)
+
+    def _line(self) -> str:
+        runs = "a summary" if self.summary else "%d runs" % len(self.runs)
+        said = "%s of %s, at %d times" % (runs, ", ".join(self.observables), len(self.times))
+        return _display.line("simulated", said if self.header else "a text of %d bytes" % len(self.run.output), self.interrupted)
+
+    _repr_pretty_ = _display.pretty
+
+    def _repr_html_(self) -> str:
+        if not self.header:
+            return _display.messages([self.run.text])
+        rows = self.rows
+        return _display.table(rows, rows[0] if rows else ())
+
 
 # Estimates.
 
@@ -219,6 +241,18 @@ class Estimated(Result):
         """``rows`` as a ``pandas.DataFrame``, with Fractions, or with floats."""
         return frames.frame(self.rows, _ESTIMATE, as_float, ("low", "high", "mean", "deviation"))
 
+    def _line(self) -> str:
+        said = _display.counted(estimate.verdict for estimate in self.estimates)
+        return _display.line("estimated", said, self.interrupted)
+
+    _repr_pretty_ = _display.pretty
+
+    def _repr_html_(self) -> str:
+        columns = ("name", "verdict", "property", "low", "high", "mean", "deviation", "runs", "why")
+        caption = "confidence %s" % self.confidence
+        left = ["%s was left out: %s" % item for item in self.left_out.items()]
+        return _display.table(self.rows, columns, caption, most=200) + _display.messages(left)
+
 
 # Traces.
 
@@ -248,6 +282,9 @@ class TraceStep:
             numbers.fraction(json["time"]),
             None if state is None else State.from_json(state),
         )
+
+
+_TRACE = ("step", "time", "event", "body", "x", "y", "z", "behaviour")
 
 
 @dataclass(frozen=True)
@@ -313,8 +350,20 @@ class Traced(Result):
 
     def to_dataframe(self, as_float: bool = False) -> Any:
         """``rows`` as a ``pandas.DataFrame``, with Fractions, or with floats."""
-        columns = ["step", "time", "event", "body", "x", "y", "z", "behaviour"]
-        return frames.frame(self.rows, columns, as_float, ("time", "x", "y", "z"))
+        return frames.frame(self.rows, _TRACE, as_float, ("time", "x", "y", "z"))
+
+    def _line(self) -> str:
+        if not self.header:
+            return _display.line("traced", "a text of %d bytes" % len(self.run.output), self.interrupted)
+        said = "%d steps to time %s, %s" % (len(self.steps), _display.plain(self.time), self.ending)
+        return _display.line("traced", said, self.interrupted)
+
+    _repr_pretty_ = _display.pretty
+
+    def _repr_html_(self) -> str:
+        if not self.header:
+            return _display.messages([self.run.text])
+        return _display.table(self.rows, _TRACE, self._line()[1:-1], most=60)
 
 
 # Sweeps.
@@ -339,6 +388,21 @@ class Swept(List[Record], Result):
         numeric = [name for name in all_columns if name not in ("check", "verdict", "why", "runs")]
         columns = [*(name for name in self.parameters if name not in all_columns), *all_columns]
         return frames.frame(self, columns, as_float, [*self.parameters, *numeric])
+
+    def plot(self, ax: Optional[Any] = None) -> Any:
+        """Draws the numbers of checks over the first parameter, with matplotlib, or their verdicts: a curve for each
+        check and each value of the other parameters. Into the axes ``ax``, or into new ones; these are returned."""
+        return _plots.sweep(self, self.parameters, ax)
+
+    def _line(self) -> str:
+        said = "%s over %s" % (_display.counted(row["verdict"] for row in self), ", ".join(self.parameters))
+        return _display.line("swept", said, self.interrupted)
+
+    _repr_pretty_ = _display.pretty
+
+    def _repr_html_(self) -> str:
+        columns = ("check", "verdict", "estimate", "low", "high", "runs", "why")
+        return _display.table(self, [*self.parameters, *columns])
 
 
 # Pages.
@@ -366,5 +430,21 @@ class Viewed(Result):
         with open(path, "wb") as file:
             file.write(self.run.output)
 
+    def _line(self) -> str:
+        kind = "picture" if self._is_picture else "page" if self._is_page else "data"
+        return _display.line("viewed", "a %s of %d bytes" % (kind, len(self.run.output)), self.interrupted)
+
+    _repr_pretty_ = _display.pretty
+
+    @property
+    def _is_picture(self) -> bool:
+        return self.content.startswith("<svg")
+
+    @property
+    def _is_page(self) -> bool:
+        return self.content.lower().startswith("<!doctype html")
+
     def _repr_html_(self) -> Optional[str]:
-        return self.content if self.content.startswith("<svg") else None
+        if self._is_picture:
+            return _display.picture(self.content, "a state of a model")
+        return _display.page(self.content) if self._is_page else None

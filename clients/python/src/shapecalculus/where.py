@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
-from . import frames, numbers
+from . import _display, frames, numbers
 from .numbers import Number
 from .runs import Run
 
@@ -190,6 +190,76 @@ def _single(*betweens: Optional[Tuple[Ends, Ends]]) -> Ends:
 
 
 @dataclass(frozen=True)
+class Form:
+    """A sum of parameters times their ``coefficients``, and a ``constant``."""
+
+    parameters: Tuple[str, ...]
+    coefficients: Row
+    constant: Fraction
+
+    @classmethod
+    def from_json(cls, parameters: Sequence[str], json: Json) -> Form:
+        row = tuple(numbers.fraction(json["coefficients"].get(name, "0/1")) for name in parameters)
+        return cls(tuple(parameters), row, numbers.fraction(json["constant"]))
+
+    def at(self, point: Point) -> Fraction:
+        """Its value at the point."""
+        terms = zip(self.coefficients, _values(self.parameters, point))
+        return sum((a * x for a, x in terms), self.constant)
+
+
+@dataclass(frozen=True)
+class Part:
+    """A ``region`` of starts, and the ends between which a number is there. The forms are its ends as functions of the
+    parameters; they are None where the ends do not depend on them."""
+
+    region: Region
+    low: Ends
+    high: Ends
+    low_form: Optional[Form]
+    high_form: Optional[Form]
+
+    @classmethod
+    def from_json(cls, parameters: Sequence[str], json: Json) -> Part:
+        low, high = (
+            Form.from_json(parameters, json[name]) if name in json else None for name in ("low_form", "high_form")
+        )
+        return cls(Region.from_json(parameters, json), *_between(json), low, high)
+
+    def at(self, point: Point) -> Tuple[Ends, Ends]:
+        """The ends at a point of the region."""
+        ends = ((self.low, self.low_form), (self.high, self.high_form))
+        low, high = (end if form is None else form.at(point) for end, form in ends)
+        return low, high
+
+
+@dataclass(frozen=True)
+class Starts:
+    """A probability or a mean as a function of the start. It is between ``low`` and ``high`` for all starts; a
+    ``high`` of None is no bound, as where a mean is infinite for some of them only. ``mean``
+    has the ends of its mean over a uniform start; None where a volume is not computed. ``parts`` make up the whole range
+    if ``check`` was called with ``where``; otherwise there are none."""
+
+    low: Ends
+    high: Ends
+    mean: Optional[Tuple[Ends, Ends]]
+    parts: Tuple[Part, ...]
+
+    @classmethod
+    def from_json(cls, parameters: Sequence[str], json: Json) -> Starts:
+        mean = None if json["mean"] is None else _between(json["mean"])
+        parts = tuple(Part.from_json(parameters, part) for part in json.get("parts", []))
+        return cls(*_between(json), mean, parts)
+
+    def at(self, point: Point) -> Tuple[Ends, Ends]:
+        """The ends at a start. ValueError for a point that is not in the range, or if there are no parts."""
+        for part in self.parts:
+            if part.region.contains(point):
+                return part.at(point)
+        raise ValueError("out of range: %r" % (point,) if self.parts else "without parts: check with where=True")
+
+
+@dataclass(frozen=True)
 class CurvePoint:
     """A row of a curve: the answer for all ends of the bound of time from ``time`` on (if ``after``: after it) up to the
     time of the next row. ``time`` has two ends, between which it is; they are equal if it is rational. ``least`` and
@@ -216,7 +286,8 @@ class CurvePoint:
 class Verdict:
     """Of one check. ``bounds``: those up to which it holds, or those by which it is undecided.
     ``reasons``: why it is undecided. ``least`` and ``greatest``: of a check that asks for a number, between which ends
-    it is, over all schedulers. ``curve``: its rows, if ``check`` was called with ``curve`` for this check."""
+    it is, over all schedulers. ``curve``: its rows, if ``check`` was called with ``curve`` for this check. ``starts``:
+    how such a number depends on the start, in models with ranges, for "least" and "greatest"."""
 
     name: str
     formula: str
@@ -228,12 +299,14 @@ class Verdict:
     greatest: Optional[Tuple[Ends, Ends]]
     witness: Optional[Json]
     curve: Tuple[CurvePoint, ...] = ()
+    starts: Mapping[str, Starts] = field(default_factory=lambda: {})
 
     @classmethod
     def from_json(cls, json: Json) -> Verdict:
         met = [reason["bound"] for reason in json["reasons"] if reason["bound"] is not None]
         bounds = tuple(Bound.from_json(bound) for bound in [*json["bounds"], *met])
         ends = {value["over"]: _between(value) for value in json.get("values", [])}
+        parameters = [known["parameter"] for known in json.get("over", {}).get("ranges", [])]
         return cls(
             json["name"],
             json["formula"],
@@ -245,6 +318,7 @@ class Verdict:
             ends.get("greatest"),
             json["witness"],
             tuple(CurvePoint.from_json(point) for point in json.get("curve", [])),
+            {start["over"]: Starts.from_json(parameters, start) for start in json.get("starts", [])},
         )
 
     @property
@@ -309,3 +383,15 @@ class Checked:
     def to_dataframe(self, as_float: bool = False) -> Any:
         """``rows`` as a ``pandas.DataFrame``, with Fractions, or with floats."""
         return frames.frame(self.rows, _COLUMNS, as_float, _NUMBERS)
+
+    def _line(self) -> str:
+        said = _display.counted(self.verdicts.values())
+        return _display.line("checked", "%s; %s" % (said, _display.explored(self.report)), self.interrupted)
+
+    _repr_pretty_ = _display.pretty
+
+    def _repr_html_(self) -> str:
+        rows = [{**check.row(), "formula": check.formula, "verdict": check.verdict} for check in self.checks.values()]
+        columns = ("check", "verdict", "formula", "low", "high", "bounds", "why")
+        table = _display.table(rows, columns, _display.explored(self.report), most=200)
+        return table + _display.messages([str(d) for d in self.run.diagnostics] if self.run else [])

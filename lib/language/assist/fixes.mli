@@ -1,0 +1,10 @@
+(** Changes that mend what a diagnostic reports, from its hint. *)
+
+open Scc_base
+open Scc_describe
+
+(** A change of a text. *)
+type t = { title : string;  (** what is done, as a command *) edits : Rename.edit list }
+
+val of_diagnostic : Reading.t -> Diag.t -> t list
+(** The changes that a diagnostic of this text suggests, the best first. Most have none. *)

@@ -1,0 +1,198 @@
+open Scc_system
+open Scc_successors
+
+type place = { number : int; count : int }
+
+(* {1 The parent} *)
+
+type parent = {
+  text : Buffer.t;
+  mutable ended : bool;
+  mutable waited_for : bool;  (** it has not said that what was kept is safe *)
+}
+
+let chunk = Bytes.create 4096
+
+let hear parent () =
+  match Reading.input chunk 0 (Bytes.length chunk) with
+  | 0 -> parent.ended <- true
+  | n ->
+    parent.waited_for <- false;
+    Buffer.add_subbytes parent.text chunk 0 n
+
+let most_line = 1 lsl 22
+
+let rec first_line parent =
+  let text = Buffer.contents parent.text in
+  match String.index_opt text '\n' with
+  | Some at -> Some (String.sub text 0 at)
+  | None when parent.ended -> None
+  | None ->
+    if String.length text > most_line then Failure.refused "the first line of the input is too long";
+    hear parent ();
+    first_line parent
+
+let say line =
+  Standard.print (line ^ "\n");
+  Standard.flush ()
+
+(* {1 The work} *)
+
+(* The bytes of the table of what has been sent. *)
+let sent_bytes = 1 lsl 28
+
+let searches (q : Question.t) =
+  let is_search (_, (plan : Question.plan)) = match plan with Other -> false | _ -> true in
+  q.plans <> [] && List.for_all is_search q.plans
+
+let most_levels =
+  match Scc_verify.Bounds.default.instant with Unbounded -> None | Default n | Given n -> Some n
+
+(* At most so often is anything told that is not kept. *)
+let often = 0.3
+
+type t = {
+  place : place;
+  begun : Said.begin_;
+  part : Part.t;
+  levels : Levels.t;
+  records : Records.t array;  (** by owner *)
+  home : int;  (** the owner of the initial state *)
+  parent : parent;
+  mutable trace : Trace.t option;
+  mutable free : Free.t option;  (** if it goes in no order *)
+  mutable shown : float;  (** when it told last how far it is *)
+  mutable saved : int;  (** levels *)
+  mutable telling : bool;  (** everything is found *)
+}
+
+(* The parent ends the input once the first owner has told. *)
+exception Over
+
+let hear_parent o () =
+  hear o.parent ();
+  Buffer.clear o.parent.text;
+  if o.parent.ended then
+    if o.telling then raise Over else Failure.lost "the process that has started this owner has ended"
+
+let show o (p : Progress.t) =
+  let now = Unix.gettimeofday () in
+  if o.place.number = 0 && now -. o.shown > often then begin
+    o.shown <- now;
+    say (Said.line (Going p))
+  end
+
+let keep o (p : Progress.t) =
+  match o.begun.folder with
+  | None -> ()
+  | Some folder ->
+    let file = Filename.concat folder (Printf.sprintf "%d-%d.levels" o.place.number p.level) in
+    Shard.write file o.part o.levels p ~from:o.saved;
+    say (Said.line (Kept { level = p.level; from = o.saved; file; progress = p }));
+    o.parent.waited_for <- true;
+    o.saved <- Levels.count o.levels
+
+let hear_peer o peer kind text =
+  if Char.equal kind Expansion.state then begin
+    Records.read o.records.(peer) o.part ~sender:peer text;
+    Option.iter Free.hear_states o.free
+  end
+  else
+    let known =
+      match (o.trace, o.free) with
+      | Some trace, _ when Char.equal kind Trace.kind || Char.equal kind Trace.told ->
+        Trace.heard trace kind text;
+        true
+      | _, Some free -> Free.heard free peer kind text
+      | _, None -> false
+    in
+    if not known then Failure.refused "owner %d sends a message of no kind: %C" (peer + 1) kind
+
+let hear_peer o peer kind text =
+  try hear_peer o peer kind text
+  with Scc_codec.Packed.Malformed what -> Failure.refused "owner %d: %s" (peer + 1) what
+
+(* How far it came before. *)
+let restored o =
+  let read _ file = Some (Shard.read file o.part o.levels) in
+  let progress = List.fold_left read None o.begun.restore in
+  o.saved <- Levels.count o.levels;
+  let goal_found (p : Progress.t) =
+    Array.iteri (fun goal place -> if Option.is_some place then Part.found o.part goal) p.met
+  in
+  Option.iter goal_found progress;
+  progress
+
+let in_step o mesh expansion =
+  let settings : In_step.settings =
+    {
+      searches = searches (Filter.question (Part.filter o.part));
+      most_states = Option.value o.begun.states ~default:max_int;
+      most_levels;
+      every = Option.map (fun ms -> float_of_int ms /. 1000.) o.begun.every;
+    }
+  in
+  let calls : In_step.calls =
+    { keep = keep o; may_keep = (fun () -> not o.parent.waited_for); show = show o }
+  in
+  let s = In_step.make o.part mesh expansion o.levels settings calls in
+  In_step.run s (match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home)
+
+let explore o mesh =
+  let expansion = Expansion.make o.part mesh o.records ~sent:(Sent.create ~bytes:sent_bytes) in
+  let p =
+    if o.begun.any_order then begin
+      let searches = searches (Filter.question (Part.filter o.part)) in
+      let most_states = Option.value o.begun.states ~default:max_int in
+      let free = Free.make o.part mesh expansion ~searches ~most_states ~show:(show o) in
+      o.free <- Some free;
+      Free.run free ~home:o.home
+    end
+    else in_step o mesh expansion
+  in
+  o.telling <- true;
+  if o.place.number > 0 then Mesh.let_go mesh;
+  match Mesh.sums mesh [ Mesh.messages mesh; Mesh.bytes mesh ] with
+  | [ messages; bytes ] -> (p, messages, bytes)
+  | _ -> (p, 0, 0)
+
+(* The first owner tells what was found; others answer it until the end of the input. *)
+let tell o mesh trace (p, messages, bytes) =
+  let runs = Trace.all trace p.Progress.met in
+  Mesh.let_go mesh;
+  if o.place.number = 0 then say (Said.line (Found { progress = p; runs; messages; bytes }));
+  while true do Mesh.pump mesh (-1.) done
+
+let work o self ~listener =
+  let seconds = float_of_int o.begun.deadline /. 1000. in
+  let links = Meeting.meet self ~listener ~peers:o.begun.peers ~seconds in
+  let mesh = Mesh.make ~number:o.place.number ~links ~each:(hear_peer o) ~from_parent:(hear_parent o) in
+  let find ~level before = if o.begun.any_order then Some before else Levels.find o.levels level before in
+  let trace = Trace.make mesh o.part ~find ~is_root:(fun id -> id = 0 && o.home = o.place.number) in
+  o.trace <- Some trace;
+  try tell o mesh trace (explore o mesh) with Over -> ()
+
+let run filter place ~listener ~program ~identity =
+  let parent = { text = Buffer.create 4096; ended = false; waited_for = false } in
+  match first_line parent with
+  | None -> ()
+  | Some line ->
+    let begun = Said.read_begin ~count:place.count line in
+    let states = Option.fold ~none:"" ~some:string_of_int begun.states in
+    let identity = String.concat "\n" [ identity; begun.run; states; string_of_bool begun.any_order ] in
+    let self : Greeting.self =
+      { number = place.number; count = place.count; program; secret = begun.secret; identity }
+    in
+    let spill folder mib = Scc_data.Spill.to_folder folder ~beyond:(mib lsl 20) in
+    ignore (Option.map2 spill begun.folder begun.memory);
+    let part = Part.make filter in
+    let o =
+      {
+        place; begun; part; parent;
+        levels = Levels.make ();
+        records = Array.init place.count (fun _ -> Records.make part);
+        home = (Filter.initial filter).fingerprint.(0) mod place.count;
+        trace = None; free = None; shown = 0.; saved = 0; telling = false;
+      }
+    in
+    work o self ~listener

@@ -1,0 +1,91 @@
+open Scc_data
+open Scc_ctl
+open Scc_graph_search
+open Scc_successors
+
+type way = { sender : int; before : int; choice : int }
+type hit = { id : int; goal : int; sure : bool }
+
+type t = {
+  filter : Filter.t;
+  table : Tuples.t;
+  before : Int_vector.t;
+  choices : Int_vector.t;
+  senders : Int_vector.t;
+  too_long : (int, unit) Hashtbl.t;
+  searched : bool array;  (** of each goal *)
+  mutable hits : hit list;
+  mutable open_from : int;
+}
+
+let make filter =
+  let width = Scc_state_space.Network_lts.width (Filter.context filter) in
+  {
+    filter;
+    table = Tuples.create ~width;
+    before = Int_vector.create (); choices = Int_vector.create (); senders = Int_vector.create ();
+    too_long = Hashtbl.create 16;
+    searched = Array.map (fun _ -> true) (Filter.predicates filter);
+    hits = [];
+    open_from = 0;
+  }
+
+let filter p = p.filter
+let table p = p.table
+let size p = Tuples.size p.table
+let is_too_long p id = Hashtbl.length p.too_long > 0 && Hashtbl.mem p.too_long id
+let found p goal = p.searched.(goal) <- false
+let close p = p.open_from <- size p
+let keep_first p = p.open_from <- max_int
+
+let hits p =
+  let all = p.hits in
+  p.hits <- [];
+  all
+
+let way p id =
+  let get vector = Int_vector.get vector id in
+  { sender = get p.senders; before = get p.before; choice = get p.choices }
+
+let most_number = 1 lsl 30
+
+let check_number n =
+  if n >= most_number then Failure.lost "a limit of resources: a level, or an owner, of more than 2^30 states"
+
+(* A state has come that was not there. *)
+let add p id target ~sender ~before ~choice =
+  check_number before;
+  check_number id;
+  Int_vector.push p.before before;
+  Int_vector.push p.choices choice;
+  Int_vector.push p.senders sender;
+  let reached = Filter.reach p.filter target [||] in
+  let note goal (truth : Truth.t) =
+    match truth with
+    | False -> ()
+    | True -> if p.searched.(goal) then p.hits <- { id; goal; sure = true } :: p.hits
+    | Undecided _ -> if p.searched.(goal) then p.hits <- { id; goal; sure = false } :: p.hits
+  in
+  Array.iteri note reached.goals;
+  if reached.too_long then Hashtbl.replace p.too_long id ()
+
+let again p id ~sender ~before ~choice =
+  if id >= p.open_from then begin
+    let earlier = Int_vector.get p.before id in
+    if before < earlier || (before = earlier && choice < Int_vector.get p.choices id) then begin
+      Int_vector.set p.before id before;
+      Int_vector.set p.choices id choice;
+      Int_vector.set p.senders id sender
+    end
+  end
+
+let enter p ~near changes target ~sender ~before ~choice =
+  let known = size p in
+  let id = Tuples.intern p.table ~near changes in
+  if id = known then add p id target ~sender ~before ~choice else again p id ~sender ~before ~choice;
+  id
+
+let enter_prepared p n target ~sender ~before ~choice =
+  let known = size p in
+  let id = Tuples.intern_prepared p.table n in
+  if id = known then add p id target ~sender ~before ~choice else again p id ~sender ~before ~choice

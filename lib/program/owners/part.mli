@@ -1,0 +1,58 @@
+(** The states of one owner, numbered from 0 in the order in which they came, each with the way by which it was
+    first found. States are stored as they are ({!Scc_graph_search.Tuples}), not as fingerprints. *)
+
+open Scc_graph_search
+
+type t
+
+(** The last transition of a way to a state. *)
+type way = {
+  sender : int;  (** the owner of the state before *)
+  before : int;  (** the state before: its rank among those of its level, or its number at its owner *)
+  choice : int;  (** the place of the transition among those of that state *)
+}
+
+(** A goal that holds in a new state, for certain or perhaps. *)
+type hit = { id : int; goal : int; sure : bool }
+
+val make : Scc_successors.Filter.t -> t
+(** No states yet. *)
+
+val filter : t -> Scc_successors.Filter.t
+(** The exploration that the states belong to. *)
+
+val table : t -> Tuples.t
+(** The states, which must be inserted by {!enter}. *)
+
+val size : t -> int
+(** The number of states. *)
+
+val enter : t -> near:Tuples.spread -> Tuples.changes -> int array -> sender:int -> before:int -> choice:int -> int
+(** [enter p ~near changes target ~sender ~before ~choice] is the number of the state [target], which differs by
+    the changes from the one that is loaded in [near]. It is inserted if it is new. If it is not, but has come
+    since {!close} was called, the way with the least [before] counts, and of several of these the one with the
+    least [choice]. *)
+
+val close : t -> unit
+(** The ways of all states that are there are final. *)
+
+val enter_prepared : t -> int -> int array -> sender:int -> before:int -> choice:int -> unit
+(** [enter_prepared p n target ~sender ~before ~choice] is {!enter} for the [n]-th tuple of a round of {!table}. *)
+
+val again : t -> int -> sender:int -> before:int -> choice:int -> unit
+(** [again p id ~sender ~before ~choice] is {!enter} for a state that is known to be there, with that number. *)
+
+val way : t -> int -> way
+(** How a state was first found. *)
+
+val keep_first : t -> unit
+(** From now on the first way to each state that comes is final. *)
+
+val is_too_long : t -> int -> bool
+(** Whether the state has a number that is longer than the bound of bits: it is not to be expanded. *)
+
+val found : t -> int -> unit
+(** [found p goal]: the goal is met, and need not be looked for. *)
+
+val hits : t -> hit list
+(** The hits since the last call, in no order. *)

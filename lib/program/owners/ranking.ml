@@ -1,0 +1,106 @@
+open Scc_codec
+
+(* The ranks of a level are dealt out to owners in blocks. The first rank of a block: *)
+let first ~width ~count owner = ((owner * width) + count - 1) / count
+
+(* {1 What an owner tells of its new states} *)
+
+let put_keys b ~keys ~from ~stop =
+  Packed.put_nat b (stop - from);
+  let last = ref 0 in
+  for k = from to stop - 1 do
+    let before, choice = keys k in
+    Packed.put_nat b (before - !last);
+    Packed.put_nat b choice;
+    last := before
+  done
+
+let segments ~width ~count ~length ~before =
+  (* The first place whose key is of a rank, or of a greater one. *)
+  let rec search low high rank =
+    if low >= high then low
+    else
+      let middle = (low + high) / 2 in
+      if before middle < rank then search (middle + 1) high rank else search low middle rank
+  in
+  let starts = Array.init count (fun owner -> search 0 length (first ~width ~count owner)) in
+  fun owner -> (starts.(owner), if owner + 1 < count then starts.(owner + 1) else length)
+
+(* {1 What is made of it} *)
+
+type key = { before : int; choice : int }
+
+let read_keys source ~low ~high =
+  let last = ref 0 in
+  let count = Packed.nat source in
+  let one _ =
+    let before = !last + Packed.nat source in
+    last := before;
+    if before < low || before >= high then raise (Packed.Malformed "a key is of another block");
+    { before; choice = Packed.nat source }
+  in
+  (* Each takes two bytes at least: no more are read than there are. *)
+  List.init count one |> Array.of_list
+
+(* The ranks of these keys among those of the block, by owner and in order: counted by the state before, and
+   sorted by choice within each, of which there are few. *)
+let rank ~low ~high (keys : key array array) =
+  let size = high - low in
+  let starts = Array.make (size + 1) 0 in
+  Array.iter (Array.iter (fun k -> starts.(k.before - low + 1) <- starts.(k.before - low + 1) + 1)) keys;
+  for i = 1 to size do starts.(i) <- starts.(i) + starts.(i - 1) done;
+  let total = starts.(size) in
+  let filled = Array.sub starts 0 size in
+  let choices = Array.make total 0 and owners = Array.make total 0 in
+  (* Moves up those that come later. *)
+  let rec insert start at choice owner =
+    if at > start && choices.(at - 1) > choice then begin
+      choices.(at) <- choices.(at - 1);
+      owners.(at) <- owners.(at - 1);
+      insert start (at - 1) choice owner
+    end
+    else begin
+      choices.(at) <- choice;
+      owners.(at) <- owner
+    end
+  in
+  let put owner k =
+    let i = k.before - low in
+    insert starts.(i) filled.(i) k.choice owner;
+    filled.(i) <- filled.(i) + 1
+  in
+  Array.iteri (fun owner -> Array.iter (put owner)) keys;
+  let ranks = Array.map (fun of_owner -> Array.make (Array.length of_owner) 0) keys in
+  let next = Array.make (Array.length keys) 0 in
+  Array.iteri
+    (fun rank owner ->
+       ranks.(owner).(next.(owner)) <- rank;
+       next.(owner) <- next.(owner) + 1)
+    owners;
+  (total, ranks)
+
+let put_ranks b ~total ranks =
+  Packed.put_nat b total;
+  let put last rank =
+    Packed.put_nat b (rank - last);
+    rank
+  in
+  ignore (Array.fold_left put 0 ranks)
+
+let read_ranks texts ~segment =
+  let length = snd (segment (Array.length texts - 1)) in
+  let ranks = Array.make length 0 in
+  let block owner text sum =
+    let source = Packed.source text in
+    let total = Packed.nat source in
+    let from, stop = segment owner in
+    let last = ref sum in
+    for k = from to stop - 1 do
+      last := !last + Packed.nat source;
+      ranks.(k) <- !last
+    done;
+    sum + total
+  in
+  let sum = ref 0 in
+  Array.iteri (fun owner text -> sum := block owner text !sum) texts;
+  ranks

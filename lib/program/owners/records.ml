@@ -1,0 +1,85 @@
+open Scc_graph_search
+open Scc_state_space
+open Scc_codec
+module Wire = Scc_parallel.Wire.Make (Network_exchange)
+
+type direction = {
+  wire : Wire.t;
+  last : int array;  (** the state before *)
+  mutable before : int;
+}
+
+type t = {
+  sends : direction;
+  text : Buffer.t;
+  reads : direction;
+  near : Tuples.spread;
+  mutable last_id : int;  (** of the state that was read before; -1 for none *)
+}
+
+let direction context =
+  { wire = Wire.make context; last = Array.make (Network_lts.width context) (-1); before = 0 }
+
+let make part =
+  let context = Scc_successors.Filter.context (Part.filter part) in
+  {
+    sends = direction context; text = Buffer.create 4096;
+    reads = direction context; near = Tuples.spread (Part.table part);
+    last_id = -1;
+  }
+
+(* Small numbers of either sign are small. *)
+let signed n = if n >= 0 then 2 * n else (-2 * n) - 1
+let unsigned n = if n land 1 = 0 then n / 2 else -((n + 1) / 2)
+
+let put_number buffer d n =
+  Packed.put_nat buffer (signed (n - d.before));
+  d.before <- n
+
+let read_number source d =
+  d.before <- d.before + unsigned (Packed.nat source);
+  d.before
+
+let remember d (changes : Tuples.changes) =
+  for i = 0 to (Array.length changes / 2) - 1 do
+    d.last.(changes.(2 * i)) <- changes.((2 * i) + 1)
+  done
+
+let put_state buffer d tuple =
+  let changes = Tuples.difference d.last tuple in
+  Wire.put_changes d.wire buffer changes;
+  remember d changes
+
+let put r ~before ~choice tuple =
+  put_number r.text r.sends before;
+  Packed.put_nat r.text choice;
+  put_state r.text r.sends tuple
+
+let size r = Buffer.length r.text
+
+let take r =
+  let text = Buffer.contents r.text in
+  Buffer.clear r.text;
+  text
+
+let read_one r part ~sender source =
+  let before = read_number source r.reads in
+  let choice = Packed.nat source in
+  let changes = Wire.read_changes r.reads.wire source in
+  if before < 0 then raise (Packed.Malformed "there is a number below 0");
+  remember r.reads changes;
+  if changes = [||] && r.last_id < 0 then raise (Packed.Malformed "there is no state");
+  (* A state that comes twice, one time after the other, differs in nothing. *)
+  let last = r.reads.last in
+  let changes = if changes = [||] then [| 0; last.(0) |] else changes in
+  let id = Part.enter part ~near:r.near changes last ~sender ~before ~choice in
+  Tuples.load (Part.table part) r.near id;
+  r.last_id <- id
+
+let read r part ~sender text =
+  let source = Packed.source text in
+  try
+    while not (Packed.at_end source) do read_one r part ~sender source done
+  with
+  | Packed.Malformed what | Failure what | Invalid_argument what ->
+    Failure.refused "owner %d sends what are no states: %s" (sender + 1) what

@@ -1,0 +1,128 @@
+open Scc_json
+open Json_format
+
+type begin_ = {
+  peers : (string * int) list;
+  secret : string;
+  run : string;
+  any_order : bool;
+  states : int option;
+  deadline : int;
+  every : int option;
+  folder : string option;
+  memory : int option;
+  restore : string list;
+}
+
+(* {1 What the parent says} *)
+
+let address text =
+  match String.rindex_opt text ':' with
+  | None -> None
+  | Some at ->
+    let port = int_of_string_opt (String.sub text (at + 1) (String.length text - at - 1)) in
+    Option.map (fun port -> (String.sub text 0 at, port)) port
+
+let begin_format =
+  let peer (host, port) = Printf.sprintf "%s:%d" host port in
+  let order b = if b.any_order then "any" else "levels" in
+  obj
+    (let+ peers = required "peers" (list ~least:1 some_text) (fun b -> List.map peer b.peers)
+     and+ secret = required "secret" some_text (fun b -> b.secret)
+     and+ run = required "run" some_text (fun b -> b.run)
+     and+ order = required "order" (word Fun.id [ "levels"; "any" ]) order
+     and+ states = optional "states" natural (fun b -> b.states)
+     and+ deadline = optional "deadline" natural (fun b -> Some b.deadline)
+     and+ every = optional "every" natural (fun b -> b.every)
+     and+ folder = optional "folder" some_text (fun b -> b.folder)
+     and+ memory = optional "memory" natural (fun b -> b.memory)
+     and+ restore = optional "restore" (list some_text) (fun b -> Some b.restore) in
+     let addresses = List.filter_map address peers in
+     let all_there = List.length addresses = List.length peers in
+     ( all_there,
+       {
+         peers = addresses; secret; run; states; every; folder; memory;
+         any_order = String.equal order "any";
+         deadline = Option.value deadline ~default:10_000;
+         restore = Option.value restore ~default:[];
+       } ))
+
+let refused fmt = Printf.ksprintf (fun text -> Failure.refused "the first line of the input: %s" text) fmt
+
+let read_begin ~count line =
+  let json =
+    match Json.parse (Scc_base.Source.make ~name:"-" line) with
+    | Ok json -> json
+    | Error d -> refused "%s" d.message
+  in
+  match read begin_format json with
+  | Error fault -> refused "%s" (fault_to_string fault)
+  | Ok (all_there, b) ->
+    if not all_there then refused "a peer is `host:port'";
+    if List.length b.peers <> count then refused "there are %d peers, and %d owners" (List.length b.peers) count;
+    if (Option.is_some b.every || Option.is_some b.memory) && Option.is_none b.folder then
+      refused "`every' and `memory' need a `folder'";
+    b
+
+(* {1 What is said to the parent} *)
+
+type found = { progress : Progress.t; runs : (int * int list) list; messages : int; bytes : int }
+
+type t =
+  | Going of Progress.t
+  | Kept of { level : int; from : int; file : string; progress : Progress.t }
+  | Found of found
+
+let explored =
+  fields
+    [
+      field "level" natural (fun (p : Progress.t) -> p.level);
+      field "depth" natural (fun (p : Progress.t) -> p.depth);
+      field "states" natural (fun (p : Progress.t) -> p.states);
+      field "transitions" natural (fun (p : Progress.t) -> p.transitions);
+    ]
+
+let goals (p : Progress.t) is = List.filter is (List.init (Array.length p.doubts) Fun.id)
+
+let kept =
+  fields
+    [
+      field "level" natural (fun (level, _, _) -> level);
+      field "from" natural (fun (_, from, _) -> from);
+      field "file" some_text (fun (_, _, file) -> file);
+    ]
+
+let run =
+  fields [ field "goal" natural fst; field "choices" (list natural) snd ]
+  |> about "A run that meets a goal: the places of its transitions."
+
+let found =
+  let p f x = f x.progress in
+  fields
+    [
+      field "found" explored (fun x -> x.progress);
+      field "stopped"
+        (nullable (word Fun.id [ "early"; "states"; "levels" ]))
+        (p (fun (p : Progress.t) -> Option.map Progress.stop_name p.stop));
+      field "doubts" (list natural) (p (fun p -> goals p (fun g -> p.doubts.(g))));
+      field "runs" (list run) (fun x -> x.runs);
+      field "faults" (list text) (p (fun p -> p.faults));
+      field "ends" (list text) (p (fun p -> p.ends));
+      field "too_long" natural (p (fun p -> p.too_long));
+      field "messages" natural (fun x -> x.messages);
+      field "bytes" natural (fun x -> x.bytes);
+    ]
+
+let format =
+  union
+    [
+      case (fields [ field "going" explored Fun.id ]) (function Going p -> Some p | _ -> None) ignore;
+      case
+        (fields [ field "kept" kept fst; field "explored" explored snd ])
+        (function Kept k -> Some ((k.level, k.from, k.file), k.progress) | _ -> None)
+        ignore;
+      case found (function Found f -> Some f | _ -> None) ignore;
+    ]
+  |> about "A line of an owner, after its header."
+
+let line t = Json.line (write format t)

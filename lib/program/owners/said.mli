@@ -1,0 +1,39 @@
+(** What an owner and the process that has started it say to each other ([specs/successors.md]): lines of JSON. *)
+
+(** The first line of the input: with whom it explores, and how. *)
+type begin_ = {
+  peers : (string * int) list;  (** host and port of each owner *)
+  secret : string;
+  run : string;  (** any text; that of other owners must be the same *)
+  any_order : bool;
+  states : int option;  (** the most *)
+  deadline : int;  (** milliseconds within which all owners have to come *)
+  every : int option;  (** milliseconds between levels that are kept *)
+  folder : string option;  (** where they are written, and tables that are too large *)
+  memory : int option;  (** MiB beyond which tables are in files *)
+  restore : string list;  (** files to begin with *)
+}
+
+val read_begin : count:int -> string -> begin_
+(** Reads the line. Raises {!Failure.Failed}. *)
+
+(** The result of an exploration, which the first owner tells. *)
+type found = {
+  progress : Progress.t;
+  runs : (int * int list) list;  (** by goal that is met, the choices of a run to it *)
+  messages : int;  (** between all owners *)
+  bytes : int;
+}
+
+(** A line of the output, after the header. *)
+type t =
+  | Going of Progress.t  (** now and then, of the first owner *)
+  | Kept of { level : int; from : int; file : string; progress : Progress.t }
+  (** levels have been written to a file, from one on *)
+  | Found of found
+
+val format : (t, unit) Scc_json.Json_format.t
+(** The format of a line. *)
+
+val line : t -> string
+(** The line, without a line end. *)

@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Explores models by several owners (`scc successors --owner K/N`), and compares with `scc check --no-reduce order,draws`:
+the numbers of states and transitions, the depth, the verdicts, and the runs that show them.
+
+    owners_test.py SCC [--states N] [--least N] [--owners N,...] [--order levels|any] MODEL ...
+
+What is done here of owners is what specs/successors.md says, and no more.
+"""
+
+import argparse
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+from successors_test import Filter, checked, kind_of
+
+
+class Owners:
+    """All owners of one exploration."""
+
+    def __init__(self, scc, model, exploration, count, arguments=()):
+        command = [scc, 'successors', model, '--exploration', str(exploration), *arguments]
+        self.processes = [subprocess.Popen([*command, '--owner', '%d/%d' % (k + 1, count)], stdin=subprocess.PIPE,
+                                           stdout=subprocess.PIPE) for k in range(count)]
+        self.headers = [json.loads(p.stdout.readline() or 'null') for p in self.processes]
+        self.header = self.headers[0]
+        self.kept = []
+
+    def explore(self, restore=(), **asked):
+        ports = [h['owner']['port'] for h in self.headers]
+        asked = dict({'peers': ['127.0.0.1:%d' % port for port in ports], 'secret': 'a secret', 'run': '1', 'order': 'levels'}, **asked)
+        for k, p in enumerate(self.processes):
+            mine = dict(asked, restore=restore[k]) if restore else asked
+            p.stdin.write(json.dumps(mine).encode() + b'\n')
+            p.stdin.flush()
+        for line in self.processes[0].stdout:
+            told = json.loads(line)
+            if 'found' in told:
+                return told
+            if 'kept' in told:
+                self.kept.append(told)
+                # It may keep another level.
+                self.processes[0].stdin.write(b'\n')
+                self.processes[0].stdin.flush()
+        raise SystemExit('the first owner has ended: %s' % self.close())
+
+    def close(self):
+        """The exit codes."""
+        for p in self.processes:
+            p.stdin.close()
+        rests = [p.stdout.read() for p in self.processes[1:]]
+        self.kept += [json.loads(line) for rest in rests for line in rest.splitlines()]
+        return [p.wait() for p in self.processes]
+
+    def stop(self):
+        for p in self.processes:
+            p.kill()
+            p.wait()
+            p.stdin.close()
+            p.stdout.close()
+
+
+def verdict(plan, found, runs):
+    """True, False, or None where it is not known."""
+    if plan is None:
+        return None
+    (kind, of), = plan.items()
+    if kind == 'now':
+        return of if of in (True, False) else None
+    if kind in ('possibly', 'always'):
+        sought = kind == 'possibly'
+        if of in runs:
+            return sought
+        complete = found['stopped'] is None and not found['faults'] and not found['too_long']
+        return (not sought) if complete and of not in found['doubts'] else None
+    parts = [verdict(p, found, runs) for p in of]
+    decisive = kind == 'any'
+    return decisive if decisive in parts else None if None in parts else not decisive
+
+
+def served(header, complete):
+    return header['horizon'] is None and all(g['within'] is None for g in header['goals']) \
+        and (complete or all(c['plan'] is not None for c in header['checks']))
+
+
+def compared(scc, path, there, count, order, states, folder):
+    """What one exploration finds, and what is wrong with it; None where it is not one to compare."""
+    number, last = 0, 1
+    sums, wrong = [0, 0, 0, True], []
+    while number < last:
+        number += 1
+        owners = Owners(scc, path, number, count)
+        if owners.header is None:
+            owners.stop()
+            return None
+        last = owners.header['explorations']
+        if not served(owners.header, there['explored']['complete']):
+            owners.stop()
+            return None
+        found = owners.explore(order=order, states=states)
+        codes = owners.close()
+        if any(codes):
+            wrong.append('exit codes %s' % codes)
+        explored, runs = found['found'], {r['goal']: r['choices'] for r in found['runs']}
+        complete = found['stopped'] is None and not found['faults'] and not found['too_long']
+        sums = [sums[0] + explored['states'], sums[1] + explored['transitions'], max(sums[2], explored['depth']), sums[3] and complete]
+        verdicts = {p['name']: p['verdict'] for p in there['properties']}
+        for c in owners.header['checks']:
+            if c['plan'] is None or c['premise']:
+                continue
+            here, said = verdict(c['plan'], found, runs), verdicts[c['name']]
+            said = said['kind'] if isinstance(said, dict) else said
+            if said not in kind_of(here, c['plan']) and not (order == 'any' and states and not complete):
+                wrong.append('%s: %s, and check says %s' % (c['name'], here, said))
+            (kind, goal), = c['plan'].items()
+            if kind in ('possibly', 'always') and goal in runs:
+                wrong += replayed(scc, path, number, c['name'], goal, runs[goal], folder, order)
+    if order == 'levels' or there['explored']['complete'] and sums[3]:
+        names = ['states', 'transitions', 'depth', 'complete']
+        for name, here in zip(names, sums):
+            if here != there['explored'][name] and not (name == 'depth' and order == 'any'):
+                wrong.append('%s: %s, and check has %s' % (name, here, there['explored'][name]))
+    return wrong
+
+
+def replayed(scc, path, exploration, name, goal, choices, folder, order):
+    """Whether the run is one, and the same as that of check where owners go in step."""
+    lines = Filter(scc, path, exploration)
+    answer = lines.run(goal, choices)
+    lines.close()
+    if 'error' in answer:
+        return ['%s: the run is refused: %s' % (name, answer['error'])]
+    if order == 'any':
+        return []
+    with open(os.path.join(folder, name + '.json'), encoding='utf-8') as f:
+        there = json.load(f)
+    return [] if answer['schedule'] == there and answer['check'] == name else ['%s: another run than that of check' % name]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument('scc')
+    parser.add_argument('models', nargs='+')
+    parser.add_argument('--states', type=int, default=3000)
+    parser.add_argument('--least', type=int, default=0)
+    parser.add_argument('--owners', default='1,2,3')
+    parser.add_argument('--order', choices=['levels', 'any'], default='levels')
+    parser.add_argument('--verbose', action='store_true')
+    given = parser.parse_args()
+    done, failed = 0, 0
+    for path in given.models:
+        with tempfile.TemporaryDirectory() as folder:
+            there = checked(given.scc, path, given.states, folder)
+            if 'explored' not in there:
+                continue
+            for count in map(int, given.owners.split(',')):
+                wrong = compared(given.scc, path, there, count, given.order, given.states, folder)
+                if given.verbose:
+                    print(path, count, 'not compared' if wrong is None else 'same' if not wrong else 'DIFFERS', flush=True)
+                if wrong is None:
+                    break
+                for text in wrong:
+                    print('%s, %d owners: %s' % (path, count, text))
+                failed += bool(wrong)
+            else:
+                done += 1
+    print('%d models compared, %d differ' % (done, failed))
+    sys.exit(1 if failed or done < given.least else 0)
+
+
+if __name__ == '__main__':
+    main()
