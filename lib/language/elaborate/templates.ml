@@ -67,8 +67,8 @@ let report_fault (c : Context.t) ?mending ?cure places (ifs : Polyhedron.ifs) fa
   Report.error c.report (Polyhedron_fault.code fault) span ~notes ?hint
     "%s" (message ifs fault)
 
-(* What can be done about a whole mesh is said once, as words of a model: with the fault that is told first, since of
-   many the last are left out. *)
+(* What can be done about a whole mesh is said once, as words of a model: with the fault that is told first, since
+   of many the last are left out. *)
 let report_faults c ?mending ?(decomposed = false) places ifs faults =
   let union = if decomposed then "write `union` after the file" else "a compound = decompose \"file\" union" in
   let cure (m : Ast.mending) =

@@ -33,10 +33,10 @@ val report_faults :
   Scc_geometry.Polyhedron.ifs ->
   Scc_geometry.Polyhedron_fault.t list ->
   unit
-(** Reports the faults of a polyhedron, each with its own code, at the feature that has it, or at the whole solid. With
-    [mending], of a mesh, the hint names a word that would mend it, if there is one that is not there yet. What can be
-    done about the whole mesh, as about several solids in it, is said with the fault that is told first, as for [decompose] if it is
-    [decomposed]. *)
+(** Reports the faults of a polyhedron, each with its own code, at the feature that has it, or at the whole
+    solid. With [mending], of a mesh, the hint names a word that would mend it, if there is one that is not there
+    yet. What can be done about the whole mesh, as about several solids in it, is said with the fault that is
+    told first, as for [decompose] if it is [decomposed]. *)
 
 val face_span : places -> int -> Scc_base.Span.t
 (** [face_span places i] is the place of the face [i], or of the whole solid if the face is not written. *)

@@ -110,7 +110,8 @@ let show console =
 (* The mesh, what was done to it, and its parts. *)
 let work console ~mend ~names ~union ~most path =
   let* source = Input.warned console path in
-  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files:Input.beside ~path (Source.text source)) in
+  let files = Input.beside console in
+  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files ~path (Source.text source)) in
   Console.report console warnings;
   let* set, mended = Mend_options.apply mend set in
   let set, mended =

@@ -73,18 +73,19 @@ let given console ~name text =
   Console.report console (Direction.warnings source);
   source
 
-let beside path = bytes path
-
-let mesh_reader console model name =
-  let file =
-    if Filename.is_relative name then Filename.concat (Filename.dirname model) name else name
-  in
+(* For the places of its errors. *)
+let told console ~name path =
   Result.map
     (fun text ->
        if Option.is_none (Console.source console name) then
          Console.add_source console (Source.make ~name text);
        text)
-    (bytes file)
+    (bytes path)
+
+let beside console path = told console ~name:path path
+
+let mesh_reader console model name =
+  told console ~name (if Filename.is_relative name then Filename.concat (Filename.dirname model) name else name)
 
 (* Two values for one parameter: neither can be meant. *)
 let rec check_overrides = function

@@ -13,7 +13,7 @@ val standard_input : string
 val cannot_read : ?hint:string -> string -> string -> Diag.t
 (** [cannot_read name reason] is the error SC0101. *)
 
-val beside : Scc_mesh.Beside.reader
+val beside : Console.t -> Scc_mesh.Beside.reader
 (** Reads a file that a mesh file of the command line names. *)
 
 val mesh_reader : Console.t -> string -> Scc_loading.Loaded.reader

@@ -37,8 +37,8 @@ val stopped :
   ?why:string ->
   ?partly:int ->
   Console.t -> what:string -> written:int -> count:int -> Scc_workers.Pool.stop -> Scc_verdicts.Exit_code.t
-(** Notes why the tasks ended early ([why] for [Interrupted], by default that word), and how many of them are [written], and how many more [partly] (default: 0).
-    The result is the exit code for it. *)
+(** Notes why the tasks ended early ([why] for [Interrupted], by default that word), and how many of them are
+    [written], and how many more [partly] (default: 0). The result is the exit code for it. *)
 
 val close : 'a t -> Diag.t list
 (** Closes the store, and returns its error if writing to it failed. *)

@@ -1,5 +1,5 @@
-(** The limit [--memory] of commands that make runs in several processes: each has an equal part of it, and the command
-    itself all of it. A run ends when its process has taken its part, as at an interruption. *)
+(** The limit [--memory] of commands that make runs in several processes: each has an equal part of it, and the
+    command itself all of it. A run ends when its process has taken its part, as at an interruption. *)
 
 type t
 

@@ -24,7 +24,8 @@ let template console ~overrides path name =
 
 let mesh console path =
   let* source = Input.warned console path in
-  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files:Input.beside ~path (Source.text source)) in
+  let files = Input.beside console in
+  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files ~path (Source.text source)) in
   Console.report console warnings;
   Ok set
 

@@ -258,7 +258,8 @@ let options =
       resume store plot =
     fitting
       {
-        path; given; runs; seed; jobs; memory; part; observed; every; until; steps; summary; quantiles; form; decimals;
+        path; given; runs; seed; jobs; memory; part; observed; every; until; steps; summary; quantiles; form;
+        decimals;
         output; resume; store; plot; }
   in
   Term.(
@@ -273,7 +274,8 @@ let command =
     [
       (Exit_code.Holds, "if all runs came to the last time.");
       (Exit_code.Undecided, "if some run was over before.");
-      (Exit_code.Stopped, "if it was interrupted, or met the limit of --memory: the runs are written as far as they came.");
+      ( Exit_code.Stopped,
+        "if it was interrupted, or met the limit of --memory: the runs are written as far as they came." );
     ]
   in
   let exits = Exits.man ~told ~never:[ Violated ] () in

@@ -4,8 +4,8 @@
     While a watch is active, a timer compares the limits some hundred times a second. Work that calls {!stop}
     ends by itself. Other work is an {!attempt}, and is ended by an exception wherever it is.
 
-    Until the first attempt, or {!has_read}, a command reads its input. If that takes more than the memory, the work is broken off
-    by {!Scc_system.Interruption.Interrupted}.
+    Until the first attempt, or {!has_read}, a command reads its input. If that takes more than the memory, the
+    work is broken off by {!Scc_system.Interruption.Interrupted}.
 
     The conclusions of an exploration have a second more, and the part of the memory that explorations leave. So
     there is always a report. *)

@@ -104,7 +104,9 @@ let of_several ?union set =
       let edges = edges set in
       let crowded (_, faces) = List.compare_length_with faces 2 > 0 in
       if not (List.exists crowded edges) then None
-      else (match union with None -> None | Some union -> shared_edge ~union set edges) <|> fun () -> wall set edges
+      else
+        let shared = match union with None -> None | Some union -> shared_edge ~union set edges in
+        shared <|> fun () -> wall set edges
 
 let advice ?union set =
   match Flat_mesh.advice set with Some _ as flat -> flat | None -> of_several ?union set

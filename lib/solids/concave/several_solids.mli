@@ -1,5 +1,5 @@
-(** What can be done about a mesh that is no solid, beside mending it: solids that touch each other, walls within one,
-    and sheets. *)
+(** What can be done about a mesh that is no solid, beside mending it: solids that touch each other, walls within
+    one, and sheets. *)
 
 open Scc_geometry
 

@@ -8,8 +8,12 @@ let stays name =
   let fine part = part <> "" && part <> ".." && not (String.exists odd part) in
   List.for_all fine parts
 
-let find read ~path name =
+let path ~path name =
   if not (stays name) then Error "only files beside it are read, by a name without `..`, drive or address"
   else
     let folder = Filename.dirname path in
-    read (if String.equal folder Filename.current_dir_name then name else Filename.concat folder name)
+    let parts = List.filter (fun part -> part <> ".") (String.split_on_char '/' name) in
+    let name = String.concat "/" parts in
+    Ok (if String.equal folder Filename.current_dir_name then name else Filename.concat folder name)
+
+let find read ~path:beside name = Result.bind (path ~path:beside name) read

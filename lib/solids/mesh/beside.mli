@@ -6,6 +6,9 @@ type reader = string -> (string, string) result
 val none : reader
 (** Reads no file. *)
 
+val path : path:string -> string -> (string, string) result
+(** [path ~path name] is the path of the file of that name beside the file [path]. A name that leads out of its
+    folder (by [..], a leading slash, a drive, an address) is refused. *)
+
 val find : reader -> path:string -> string -> (string, string) result
-(** [find read ~path name] is the file of that name beside the file [path]. A name that leads out of its folder (by
-    [..], a leading slash, a drive, an address) is refused without a look at the file. *)
+(** [find read ~path name] is the file at {!path}. *)

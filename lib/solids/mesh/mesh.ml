@@ -7,16 +7,29 @@ let alone read ~files:_ ~path text = read ~path text
 (* And that never read what is only near, and leave nothing out. *)
 let exact read = alone (fun ~path text -> Result.map (fun set -> (set, [])) (read ~path text))
 
+let is_xml text =
+  let text = String.trim (String.sub text 0 (min 80 (String.length text))) in
+  String.length text > 0 && text.[0] = '<'
+
+(* Scenes name files of either format. *)
+let scene read ~files ~path text =
+  let any ~path:other text room =
+    if String.equal other path then read ~path text room
+    else if is_xml text then X3d.scene ~path:other text room
+    else Vrml.scene ~path:other text room
+  in
+  Scene_solid.read ~files ~scene:any ~path text
+
 let readers =
   [
     ("off", "OFF", exact Off.read);
     ("obj", "OBJ", alone Obj.read);
     ("stl", "STL", alone Stl.read);
     ("ply", "PLY", alone Ply.read);
-    ("wrl", "VRML", alone Vrml.read);
-    ("vrml", "VRML", alone Vrml.read);
-    ("x3dv", "X3D (classic)", alone Vrml.read);
-    ("x3d", "X3D", alone X3d.read);
+    ("wrl", "VRML", scene Vrml.scene);
+    ("vrml", "VRML", scene Vrml.scene);
+    ("x3dv", "X3D (classic)", scene Vrml.scene);
+    ("x3d", "X3D", scene X3d.scene);
     ("glb", "glTF", Gltf.read);
     ("gltf", "glTF", Gltf.read);
     ("3mf", "3MF", alone Threemf.read);

@@ -80,7 +80,7 @@ let check_unseen ~path (node : node) ((w : Text.word), value) =
   in
   let one (inner : node) =
     match Scene_table.find inner.kind.text with
-    | Read { role = Geometry | Shape | Group | Transform | Switch | Levels; _ } | Left_out ->
+    | Read { role = Geometry | Shape | Group | Transform | Switch | Levels | Inline; _ } | Left_out ->
       bad ~path inner.kind "a %s is no %s of a %s, and would not be seen" inner.kind.text (Text.quote w.text)
         node.kind.text
     | Unread hint -> unread ~path inner.kind ~hint "the node %s is not read" (Text.quote inner.kind.text)

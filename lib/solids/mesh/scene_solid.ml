@@ -55,17 +55,27 @@ let transform ~path node =
 
 (* {1 What is shown} *)
 
+(* A word, and the file that it is in. *)
+type seen = { file : string; word : Text.word }
+
 type t = {
-  path : string;
+  mutable path : string;  (* of the file of what is shown *)
+  files : Beside.reader;
+  scene : path:string -> string -> int ref -> file;
+  loaded : (string, file) Hashtbl.t;  (* by its path *)
+  mutable all : (string * file) list;  (* the last one first *)
+  mutable around : string list;  (* the files whose Inlines are being shown *)
   room : int ref;
   mutable count : int;
   mutable points : Vec.t list;
   mutable faces : (string option * int array) list;
-  mutable near : (Rat.t * Text.word) option;  (* the greatest distance, and whose it is *)
-  mutable left_out : Text.word option;  (* the first geometry without thickness *)
-  mutable alone : Text.word option;  (* the first points without faces *)
-  mutable hidden : Text.word option;  (* a node that shows nothing of what is in it *)
+  mutable near : (Rat.t * seen) option;  (* the greatest distance, and whose it is *)
+  mutable left_out : seen option;  (* the first geometry without thickness *)
+  mutable alone : seen option;  (* the first points without faces *)
+  mutable hidden : seen option;  (* a node that shows nothing of what is in it *)
 }
+
+let seen t word = { file = t.path; word }
 
 let geometry t place ~name node =
   let shape = Scene_shapes.make ~path:t.path ~room:!(t.room) node in
@@ -83,8 +93,9 @@ let geometry t place ~name node =
       off_by place.levels ~radius shape.distance
   in
   let greatest = match t.near with Some (d, _) -> d | None -> Rat.zero in
-  if Rat.compare off greatest > 0 then t.near <- Some (off, node.kind);
-  if shape.faces = [] && Array.length shape.points > 0 && Option.is_none t.alone then t.alone <- Some node.kind;
+  if Rat.compare off greatest > 0 then t.near <- Some (off, seen t node.kind);
+  if shape.faces = [] && Array.length shape.points > 0 && Option.is_none t.alone then
+    t.alone <- Some (seen t node.kind);
   t.count <- first + Array.length shape.points;
   t.points <- Array.fold_left (fun all v -> Affine.apply place.map v :: all) t.points shape.points;
   t.faces <- List.fold_left (fun all f -> (name, corners f) :: all) t.faces shape.faces
@@ -122,6 +133,55 @@ let check_in_shape t ~in_shape (node : node) =
   if not in_shape then
     bad ~path:t.path node.kind "a %s stands in the `geometry` of a Shape, and not here" node.kind.text
 
+(* {1 Other files} *)
+
+let most_within = 32
+
+(* Strings stand in quotes, with blanks in them or not. *)
+let strings words =
+  let text = String.concat " " (List.map (fun (w : Text.word) -> w.text) words) in
+  if String.contains text '"' then List.filteri (fun i _ -> i land 1 = 1) (String.split_on_char '"' text)
+  else List.filter (( <> ) "") (String.split_on_char ' ' text)
+
+let file_of url = List.hd (String.split_on_char '#' url)
+
+let load t (at : Text.word) ~path text =
+  match Hashtbl.find_opt t.loaded path with
+  | Some file -> file
+  | None ->
+    let text = Source.blank_mark text in
+    t.room := !(t.room) + (4 * String.length text);
+    spend ~path:t.path t.room at 100;
+    let file = t.scene ~path text t.room in
+    F.check_all_unseen ~path file.nodes;
+    Hashtbl.replace t.loaded path file;
+    t.all <- (path, file) :: t.all;
+    file
+
+(* The first of the files that can be read, with its path; none if none is named. *)
+let inline t (node : node) =
+  let urls = strings (Option.value (F.words ~path:t.path node "url") ~default:[]) in
+  let one url =
+    Result.bind (Beside.path ~path:t.path (file_of url)) (fun path ->
+        Result.map (fun text -> (path, text)) (if Hashtbl.mem t.loaded path then Ok "" else t.files path))
+  in
+  let refuse url why =
+    unread ~path:t.path (F.place node "url")
+      ~hint:"put what the other file has in the place of the Inline, or that file beside this one"
+      "the file %s of this Inline is not read: %s" (Text.quote url) why
+  in
+  let rec first why = function
+    | [] -> Option.map (fun (url, why) -> refuse url why) why
+    | url :: rest -> (
+        match one url with
+        | Error text -> first (if Option.is_some why then why else Some (url, text)) rest
+        | Ok (path, _) when List.mem path (t.path :: t.around) -> refuse url "it is inside of itself"
+        | Ok _ when List.length t.around >= most_within ->
+          refuse url (Printf.sprintf "files are inside of each other more than %d deep" most_within)
+        | Ok (path, text) -> Some (path, load t node.kind ~path text))
+  in
+  first None urls
+
 let rec show t ?(in_shape = false) depth place ~name node =
   spend ~path:t.path t.room node.kind 1;
   if depth > max_depth then
@@ -130,12 +190,12 @@ let rec show t ?(in_shape = false) depth place ~name node =
   | Still -> ()
   | Left_out ->
     check_in_shape t ~in_shape node;
-    if Option.is_none t.left_out then t.left_out <- Some node.kind
+    if Option.is_none t.left_out then t.left_out <- Some (seen t node.kind)
   | Unread hint -> unread ~path:t.path node.kind ~hint "the node %s is not read" (Text.quote node.kind.text)
   | Read { role; read; still } ->
     F.check ~path:t.path node ~read ~still;
     let within ?in_shape = show t ?in_shape (depth + 1) in
-    if not (truth_of_all t node "visible") then t.hidden <- Some node.kind
+    if not (truth_of_all t node "visible") then t.hidden <- Some (seen t node.kind)
     else (
       match role with
       | Group -> List.iter (within place ~name:None) (inside t [ "shape"; "children" ] node)
@@ -148,12 +208,22 @@ let rec show t ?(in_shape = false) depth place ~name node =
         List.iter (within place ~name:None) (inside t [ "children" ] node)
       | Switch ->
         let shown = chosen t node in
-        if shown = [] then t.hidden <- Some node.kind;
+        if shown = [] then t.hidden <- Some (seen t node.kind);
         List.iter (within place ~name:None) shown
       | Levels -> (
           match inside t [ "level"; "children" ] node with
           | first :: _ -> within place ~name:None first
           | [] -> ())
+      | Inline -> (
+          match if F.truth ~path:t.path node "load" then inline t node else None with
+          | None -> t.hidden <- Some (seen t node.kind)
+          | Some (path, file) ->
+            let outer = t.path and around = t.around in
+            t.path <- path;
+            t.around <- outer :: around;
+            List.iter (within place ~name:None) file.nodes;
+            t.path <- outer;
+            t.around <- around)
       | Shape -> shape (within ~in_shape:true) t place node
       | Geometry -> check_in_shape t ~in_shape node; geometry t place ~name node
       | Points -> bad ~path:t.path node.kind "points stand in the `coord` of a shape, and not here")
@@ -170,6 +240,7 @@ and shape within t place node =
 (* {1 Warnings} *)
 
 let at ~path (w : Text.word) = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text)
+let at_seen { file; word } = at ~path:file word
 
 let turned =
   "rotations become exact ones near by, and curved shapes inscribed polyhedra within 1/100 of the radius"
@@ -181,9 +252,9 @@ let swept =
    format leaves open which"
 
 let nearly t =
-  let one (distance, w) =
-    Diag.warning Code.mesh_nearly (at ~path:t.path w)
-      ~hint:(match w.Text.text with "ElevationGrid" -> bent | "Extrusion" -> swept | _ -> turned)
+  let one (distance, seen) =
+    Diag.warning Code.mesh_nearly (at_seen seen)
+      ~hint:(match seen.word.text with "ElevationGrid" -> bent | "Extrusion" -> swept | _ -> turned)
       "what is read is up to %s from what the file describes, here the most"
       (Decimal.significant_above ~digits:3 distance)
   in
@@ -228,42 +299,44 @@ let lost ~path (file : file) =
   Option.to_list (List.find_map one file.changes)
 
 let thin t =
-  let one (w : Text.word) =
-    Diag.warning Code.mesh_left_out (at ~path:t.path w)
+  let one seen =
+    Diag.warning Code.mesh_left_out (at_seen seen)
       ~hint:"nothing has to be done if the solid is what is meant"
-      "lines and letters, such as this %s, bound no solid, and are left out" w.text
+      "lines and letters, such as this %s, bound no solid, and are left out" seen.word.text
   in
   Option.to_list (Option.map one t.left_out)
 
 (* Points are a cloud if there is nothing else. *)
 let points_alone t =
-  let one (w : Text.word) =
-    Diag.warning Code.mesh_left_out (at ~path:t.path w) ~hint:"a hull takes them in, and --weld drops them"
-      "points without faces, such as those of this %s, bound no solid" w.text
+  let one seen =
+    Diag.warning Code.mesh_left_out (at_seen seen) ~hint:"a hull takes them in, and --weld drops them"
+      "points without faces, such as those of this %s, bound no solid" seen.word.text
   in
   if t.faces = [] then [] else Option.to_list (Option.map one t.alone)
 
 let nothing t =
   match (t.hidden, t.left_out) with
-  | None, Some w -> bad ~path:t.path w "the scene shows no faces: lines and letters bound no solid"
-  | Some w, _ ->
-    bad ~path:t.path w "the scene shows no faces: this %s shows nothing of what is in it" w.text
+  | None, Some { file; word } -> bad ~path:file word "the scene shows no faces: lines and letters bound no solid"
+  | Some { file; word }, _ ->
+    bad ~path:file word "the scene shows no faces: this %s shows nothing of what is in it" word.text
   | None, None -> ok (Text.error_at ~path:t.path 0 "the scene shows no faces")
 
-let read ~path ~size scene =
+let read ~files ~scene ~path text =
   let work () =
-    let room = Scene.room ~size in
-    let file = scene room in
+    let room = Scene.room ~size:(String.length text) in
+    let file = scene ~path text room in
     let t =
       {
-        path; room; count = 0; points = []; faces = []; near = None; left_out = None; alone = None;
-        hidden = None;
+        path; files; scene; loaded = Hashtbl.create 8; all = [ (path, file) ]; around = []; room; count = 0;
+        points = []; faces = []; near = None; left_out = None; alone = None; hidden = None;
       }
     in
     List.iter (show t 0 { map = Affine.identity; levels = [] } ~name:None) file.nodes;
     F.check_all_unseen ~path file.nodes;
     if t.points = [] then nothing t;
-    (Text.labelled t.points t.faces, nearly t @ thin t @ points_alone t @ moving ~path file @ lost ~path file)
+    let all = List.rev t.all in
+    let first f = match List.concat_map (fun (path, file) -> f ~path file) all with [] -> [] | d :: _ -> [ d ] in
+    (Text.labelled t.points t.faces, nearly t @ thin t @ points_alone t @ first moving @ first lost)
   in
   match work () with
   | result -> Ok result

@@ -1,4 +1,4 @@
-type role = Group | Transform | Switch | Levels | Shape | Geometry | Points
+type role = Group | Transform | Switch | Levels | Inline | Shape | Geometry | Points
 type t = Read of { role : role; read : string list; still : string list } | Still | Left_out | Unread of string
 
 let words text = List.filter (fun w -> w <> "") (String.split_on_char ' ' text)
@@ -21,6 +21,7 @@ let read =
     (Transform, "Transform", moved, box); (Transform, "CADPart", moved, box ^ " name");
     (Switch, "Switch", "choice children whichChoice visible", box);
     (Levels, "LOD", "level children visible", box ^ " center range forceTransitions");
+    (Inline, "Inline", "url load visible", box ^ " description global autoRefresh autoRefreshTimeLimit");
     (Shape, "Shape", "geometry visible", box ^ " appearance castShadow");
     ( Geometry, "IndexedFaceSet", "coord coordIndex ccw",
       surface ^ " colorIndex normalIndex texCoordIndex convex creaseAngle" );
@@ -102,7 +103,6 @@ let left_out = "IndexedLineSet LineSet Polyline2D Arc2D Circle2D Text"
 
 let cures =
   [
-    ("Inline", "put what the other file has in the place of the Inline");
     ("ProtoInstance", "put the nodes of the prototype in its place");
     ("IMPORT", "put the nodes of the other file into this one");
     ("Billboard", "it turns with the place of whoever looks: put a Group or a Transform in its place");
@@ -142,4 +142,4 @@ let usual kind =
   match find kind with
   | Read { role = Geometry; _ } | Left_out -> "geometry"
   | Read { role = Points; _ } -> "coord"
-  | Read { role = Group | Transform | Switch | Levels | Shape; _ } | Still | Unread _ -> "children"
+  | Read { role = Group | Transform | Switch | Levels | Inline | Shape; _ } | Still | Unread _ -> "children"

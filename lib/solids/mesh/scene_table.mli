@@ -7,6 +7,7 @@ type role =
   | Transform  (** moves what is inside *)
   | Switch  (** shows one of its choices *)
   | Levels  (** shows the first of its levels, which has the most details *)
+  | Inline  (** shows what is in another file *)
   | Shape  (** shows a geometry *)
   | Geometry
   | Points  (** coordinates of a geometry *)

@@ -291,17 +291,14 @@ and list r depth at =
     | w :: _ -> Scene.bad ~path:r.path w "expected a number or `]`, found %s" (quote w.text)
     | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
 
-let scene ~path text room =
-  let r = reader ~path ~room ~prototypes:[] ~fields:None (tokens text) in
-  let nodes = contents r 0 in
-  { Scene.nodes; changes = all_changes r }
-
 (* Both formats say in their first line what they are. *)
 let check_header ~path text =
   let head = String.trim (String.sub text 0 (min 80 (String.length text))) in
   let starts prefix = String.starts_with ~prefix head in
-  let refuse ~hint what = Error (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" what) in
-  if starts "#VRML V2.0" || starts "#X3D V" then Ok ()
+  let refuse ~hint what =
+    raise (Scene.Refused (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" what))
+  in
+  if starts "#VRML V2.0" || starts "#X3D V" then ()
   else if starts "#VRML V1" || starts "#Inventor" then
     refuse "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF"
   else if starts "\x1F\x8B" then refuse "the file is compressed" ~hint:"decompress it, by gunzip for instance"
@@ -309,6 +306,8 @@ let check_header ~path text =
     refuse "the first line says neither `#VRML V2.0 utf8` nor `#X3D V3.0 utf8`"
       ~hint:"write one of them before everything else, if the file is of that format"
 
-let read ~path text =
-  Result.bind (check_header ~path text) (fun () ->
-      Scene_solid.read ~path ~size:(String.length text) (scene ~path text))
+let scene ~path text room =
+  check_header ~path text;
+  let r = reader ~path ~room ~prototypes:[] ~fields:None (tokens text) in
+  let nodes = contents r 0 in
+  { Scene.nodes; changes = all_changes r }

@@ -334,5 +334,3 @@ let scene ~path text room =
   in
   let nodes = contents r ~of_element:"" (Scene.ok (Xml_tags.tags ~path text)) in
   { Scene.nodes; changes = all_changes r }
-
-let read ~path text = Scene_solid.read ~path ~size:(String.length text) (scene ~path text)

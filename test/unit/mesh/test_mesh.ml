@@ -48,7 +48,8 @@ let x3d =
 
 (* The same with characters written as references. *)
 let referring =
-  "<X3D><Scene><Shape><IndexedFaceSet ccw='&#x74;rue'\n coordIndex='0 2 1&#32;&#45;1, 0 1 3 -1&#x2C;0 3 2 -1 1 2 3'>\n\
+  "<X3D><Scene><Shape><IndexedFaceSet ccw='&#x74;rue'\n\
+   coordIndex='0 2 1&#32;&#45;1, 0 1 3 -1&#x2C;0 3 2 -1 1 2 3'>\n\
    <Coordinate point='0 &#45;0 0, 1&#46;25 0 0, 0 1 0, 0&#x20;0&#32;2'/></IndexedFaceSet></Shape></Scene></X3D>\n"
 
 let points = Gltf_files.points

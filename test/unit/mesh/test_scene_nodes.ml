@@ -92,7 +92,8 @@ let check_field row (f, nodes) =
     match Scene_table.find row.kind with
     | Read { read; still; _ } ->
       Alcotest.(check bool) (what ^ " is in one list") true (List.mem f read <> List.mem f still);
-      let moves = List.mem f moving && not (row.kind = "LOD" && f = "center") in
+      let of_inline = row.kind = "Inline" && List.mem f [ "url"; "load" ] in
+      let moves = of_inline || List.mem f moving && not (row.kind = "LOD" && f = "center") in
       Alcotest.(check bool) (what ^ " is read if it moves points") moves (List.mem f read);
       List.mem f read
     | Still | Left_out | Unread _ -> false

@@ -155,7 +155,8 @@ let refusals =
                                    material DEF M Material { } } }\nROUTE M.x TO M.set_diffuseColor\n", "");
     ("USE inside", "t.wrl", "#VRML V2.0 utf8\nDEF G Group { children [ USE G ] }", "SC0320 2:30");
     ("USE before", "t.wrl", "#VRML V2.0 utf8\nUSE G", "SC0320 2:5");
-    ("USE inside, XML", "t.x3d", "<X3D><Scene><Group DEF='G'><Group USE='G'/></Group></Scene></X3D>", "SC0320 1:40");
+    ("USE inside, XML", "t.x3d",
+     "<X3D><Scene><Group DEF='G'><Group USE='G'/></Group></Scene></X3D>", "SC0320 1:40");
     ("deep", "t.wrl", deep 100_000, "SC0320 2:19020");
     ("doubling", "t.wrl", doubling 60, "SC0320 doubling");
     ("an unknown field", "t.wrl", "#VRML V2.0 utf8\nGroup { childs [ ] }", "SC0321 2:9");
