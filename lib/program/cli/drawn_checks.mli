@@ -12,6 +12,6 @@ val split :
   ?name:(string -> string -> string) ->
   Verdict.outcome list ->
   (string * Where.t) list -> (string * Where.t) list * (string * Chances.t) list
-(** [split ?name outcomes named] has the claims among [named], and the probabilities among [outcomes]. A probability
-    whose least and greatest value over the choices differ is there twice, with the side in its name: [name check side],
-    by default [check (side)]. *)
+(** [split ?name outcomes named] has the claims among [named], and the probabilities and means among [outcomes]. A
+    number whose least and greatest value over the choices differ is there twice, with the side in its name:
+    [name check side], by default [check (side)]. *)
