@@ -48,7 +48,6 @@ let readable seconds list =
   | exception Unix.Unix_error (EINTR, _, _) -> []
 
 let ready list = readable 0.2 list
-let has_message c = match readable 0. [ c ] with [] -> false | _ :: _ -> true
 
 (** {2 Processes} *)
 

@@ -20,8 +20,6 @@ val ready : t list -> t list
 (** The channels that have a message, or whose process has ended. It waits for one at most 0.2 seconds;
     interruptions may come in between. *)
 
-val has_message : t -> bool
-(** [has_message c] is true if {!get} would not wait now. *)
 
 val close : t -> unit
 (** Kills the other process and closes the channel. *)

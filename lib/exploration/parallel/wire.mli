@@ -26,23 +26,9 @@ module Make (E : Lts.Exchange) : sig
   val read_changes : t -> Packed.source -> Tuples.changes
   (** Reads changes of slots, with the numbers of this process. *)
 
-  val put_tuple : t -> Buffer.t -> int array -> unit
-  (** Appends a tuple, as its difference from the tuple before. So tuples must be read in the order in which they
-      are put. The tuple must not be modified afterwards. *)
-
-  val read_tuple : t -> Packed.source -> int array
-  (** Reads the next tuple of {!put_tuple}. It must not be modified. *)
-
   val put_step : t -> Buffer.t -> Lts.step -> unit
   (** Appends a step: its label and its changes. *)
 
   val read_step : t -> Packed.source -> Lts.step
   (** Reads a step of {!put_step}. *)
-
-  val put_recent : t -> Buffer.t -> Lts.step -> unit
-  (** Appends a step, in short form if it came up lately. Such steps must be read in the order in which they are
-      put, and must not be modified afterwards. The bytes depend on the numbers of this process. *)
-
-  val read_recent : t -> Packed.source -> Lts.step
-  (** Reads the next step of {!put_recent}. It must not be modified. *)
 end

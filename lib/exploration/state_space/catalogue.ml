@@ -315,7 +315,6 @@ let chance c i =
   | Tied (_, chance) -> Some chance
   | One l -> if Transition.is_drawn l then Some (Transition.chance l) else None
 
-let is_tied c i = match any_label c i with Tied _ -> true | One _ | Joint _ -> false
 let transitions c i = match any_label c i with Joint j -> j.transitions | One _ | Tied _ -> 1
 
 let labels c =

@@ -146,8 +146,6 @@ val chance : t -> int -> Rat.t option
 (** The chance of the label with a number, if chance decides: it is a draw, a lot, or a number of {!tied} or
     {!joint}. *)
 
-val is_tied : t -> int -> bool
-(** [is_tied c i] is true if [i] is a number of {!tied}. *)
 
 val transitions : t -> int -> int
 (** How many transitions of a run the label with a number stands for: 1, except for a number of {!joint}. *)

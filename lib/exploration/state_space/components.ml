@@ -26,27 +26,31 @@ let hash_label : Transition.label -> int = function
 type joint = { chance : Rat.t; transitions : int }
 type label = One of Transition.label | Tied of Transition.label * Rat.t | Joint of joint
 
-module Labels = Numbering.Make (struct
-    type t = label
+module Label_key = struct
+  type t = label
 
-    let equal a b =
-      match (a, b) with
-      | One a, One b -> Transition.equal_label a b
-      | Tied (a, p), Tied (b, q) -> Rat.equal p q && Transition.equal_label a b
-      | Joint a, Joint b -> a.transitions = b.transitions && Rat.equal a.chance b.chance
-      | (One _ | Tied _ | Joint _), _ -> false
+  let equal a b =
+    match (a, b) with
+    | One a, One b -> Transition.equal_label a b
+    | Tied (a, p), Tied (b, q) -> Rat.equal p q && Transition.equal_label a b
+    | Joint a, Joint b -> a.transitions = b.transitions && Rat.equal a.chance b.chance
+    | (One _ | Tied _ | Joint _), _ -> false
 
-    let hash = function
-      | One l -> hash_label l
-      | Tied (l, chance) -> (31 * Rat.hash chance) + hash_label l
-      | Joint j -> (31 * Rat.hash j.chance) + j.transitions
-  end)
+  let hash = function
+    | One l -> hash_label l
+    | Tied (l, chance) -> (31 * Rat.hash chance) + hash_label l
+    | Joint j -> (31 * Rat.hash j.chance) + j.transitions
+end
 
-module Steps = Numbering.Make (struct
-    type t = State.step
+module Labels = Numbering.Make (Label_key)
 
-    let equal (a : t) (b : t) =
-      Rat.equal a.remaining b.remaining && a.phase = b.phase
+module Step_key = struct
+  type t = State.step
 
-    let hash (s : t) = Rat.hash s.remaining
-  end)
+  let equal (a : t) (b : t) =
+    Rat.equal a.remaining b.remaining && a.phase = b.phase
+
+  let hash (s : t) = Rat.hash s.remaining
+end
+
+module Steps = Numbering.Make (Step_key)

@@ -25,16 +25,8 @@ module Forms : module type of Numbering.Make (struct
     let hash = State.hash_process
   end)
 
-module Labels : module type of Numbering.Make (struct
-    type t = label
+module Label_key : Hashtbl.HashedType with type t = label
+module Labels : module type of Numbering.Make (Label_key)
 
-    let equal = ( = )
-    let hash = Hashtbl.hash
-  end)
-
-module Steps : module type of Numbering.Make (struct
-    type t = State.step
-
-    let equal = ( = )
-    let hash = Hashtbl.hash
-  end)
+module Step_key : Hashtbl.HashedType with type t = State.step
+module Steps : module type of Numbering.Make (Step_key)

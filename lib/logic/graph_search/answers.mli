@@ -14,7 +14,7 @@ exception Too_long
 (** {1 Lists} *)
 
 val first_list : int
-(** Of an answer: so far from its beginning its first list is. *)
+(** [first_list] is how far the first list of an answer is from the beginning of the answer. *)
 
 val second_list : words -> int -> int
 (** [second_list words at] is the place of the second list of the answer at [at]. *)

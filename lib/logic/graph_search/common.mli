@@ -48,6 +48,3 @@ val go_on_apart : t -> full:(unit -> unit) -> unit
 
 val set_full : t -> (unit -> unit) -> unit
 (** [set_full t full]: this process calls [full] where a text does not fit. It calls {!make_room}, or raises. *)
-
-val bytes : t -> int
-(** [bytes t] is about how much memory the table takes, in bytes. *)

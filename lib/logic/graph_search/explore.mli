@@ -105,11 +105,6 @@ module Make (L : Lts.S) : sig
       the tuple ({!Lts.S.reduced}) if one of them leads to another state that is not expanded yet, but will be,
       and otherwise all transitions. *)
 
-  val all_or_some :
-    t -> some:Lts.step list option -> all:(unit -> (Lts.step list, L.fault) result) -> (steps, L.fault) result
-  (** [all_or_some g ~some ~all] is {!successors} of the state that is being expanded, if [some] is its reduced
-      transitions and [all ()] is all of them. *)
-
   val run :
     ?visitor:visitor -> ?order:order -> ?keep_edges:bool -> ?expanding:expanding ->
     Limits.t -> Limits.surroundings -> L.context -> t

@@ -98,7 +98,7 @@ let successors m state =
     {
       kind = Scc_runs.State_json.kind t.label;
       label = Transition.label_to_string own t.label;
-      duration = Transition.duration t;
+      duration = (Transition.duration t : Scc_exact.Rat.t);
       chance = t.chance;
       target = t.target;
     }

@@ -212,7 +212,7 @@ let too_deep s level =
 
 let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
   let bound = last_rank s p all fresh ranks in
-  let within last rank = match last with Some last -> rank <= last | None -> true in
+  let within last (rank : int) = match last with Some last -> rank <= last | None -> true in
   let firsts = firsts p all (within bound) in
   let met = Array.mapi (place p) firsts in
   let ends_here = decided s met in
@@ -286,14 +286,14 @@ let begin_ s ~home =
   end;
   Part.close s.part;
   Levels.add s.levels (Array.make (Part.size s.part) 0);
-  let truth (t : Scc_ctl.Truth.t) = match t with True -> `Yes | Undecided _ -> `Maybe | False -> `No in
-  let is wanted goal = truth goal = wanted in
+  let is_true (t : Scc_ctl.Truth.t) = match t with True -> true | Undecided _ | False -> false in
+  let is_open (t : Scc_ctl.Truth.t) = match t with Undecided _ -> true | True | False -> false in
   let here = { level = 0; owner = home; id = 0 } in
-  let met = Array.map (fun g -> if is `Yes g then Some here else None) initial.goals in
+  let met = Array.map (fun g -> if is_true g then Some here else None) initial.goals in
   let p =
     {
       level = 0; depth = 0; width = 1; states = 1; transitions = 0; met;
-      doubts = Array.map (is `Maybe) initial.goals;
+      doubts = Array.map is_open initial.goals;
       stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long;
     }
   in

@@ -20,7 +20,7 @@ let turn_away s fd ~called f =
   close fd;
   s.turned_away <- Some (1 + Option.fold ~none:0 ~some:fst s.turned_away, why f)
 
-let drop s fd = s.talks <- List.filter (fun (other, _, _) -> other <> fd) s.talks
+let drop s fd = s.talks <- List.filter (fun (other, _, _) -> not (other == fd)) s.talks
 
 let hear s (fd, talk, called) =
   let wanted k =

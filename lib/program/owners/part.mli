@@ -49,7 +49,8 @@ val keep_first : t -> unit
 (** From now on the first way to each state that comes is final. *)
 
 val is_too_long : t -> int -> bool
-(** Whether the state has a number that is longer than the bound of bits: it is not to be expanded. *)
+(** [is_too_long p i] is true if the state [i] has a number that is longer than the bound of bits: it is not to be
+    expanded. *)
 
 val found : t -> int -> unit
 (** [found p goal]: the goal is met, and need not be looked for. *)

@@ -33,9 +33,6 @@ val stop_name : stop -> string
 val earlier : event option -> event option -> event option
 (** The first of the events that are there. *)
 
-val compare_events : event -> event -> int
-(** The order of events. *)
-
 val add : string list -> string list -> string list
 (** [add texts more] is both, in order, each once. *)
 
