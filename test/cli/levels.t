@@ -79,7 +79,7 @@ What cannot be asked.
 It is stopped with what it has.
 
   $ scc estimate $M/far.sc --levels 'x(walker) >= 1..19' --runs 1000000 --effort 5 --seconds 3 > stopped.txt
-  scc: stopped; what is said rests on the runs that were made
+  scc: the limit of seconds has passed; what is said rests on the runs that were made
   [4]
   $ grep -c "^rich: estimated: " stopped.txt
   1
