@@ -46,7 +46,7 @@ The pages are those of the program, and groff finds nothing wrong with them:
   >   if command -v groff > /dev/null; then groff -man -ww -K utf8 -T utf8 $page 2>&1 > /dev/null; fi
   > done
   $ scc check --help=groff | diff - prefix/share/man/man1/scc-check.1
-  9c9
+  10c10
   < scc\N'45'check \N'45' explore a model and verify its properties
   ---
   > scc\-check \- explore a model and verify its properties
