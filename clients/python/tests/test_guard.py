@@ -6,6 +6,7 @@ import os
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 
@@ -238,9 +239,14 @@ class Command(unittest.TestCase):
         for err in STREAMS:
             self.assertEqual(run(*COMMAND, "check", err=err)[:2], (64, b""))
 
-    def test_without_numpy(self):
-        program = "import sys; sys.modules['numpy'] = None\nfrom shapecalculus import cluster_command\n"
-        code, out, said = run("-c", program + "sys.exit(cluster_command.main(['check', 'x.sc']))")
+    def test_without_ray(self):
+        program = "import sys; sys.modules['ray'] = None\nfrom shapecalculus import cluster_command\n"
+        with tempfile.TemporaryDirectory() as folder:
+            model = os.path.join(folder, "m.sc")
+            with open(model, "w") as file:
+                file.write("process p = box(1, 1, 1) mass 1 at translate (0, 0, 0) velocity (1, 0, 0) [nil]\n")
+                file.write("check far : possibly x(p) >= 2\n")
+            code, out, said = run("-c", program + "sys.exit(cluster_command.main(['check', %r]))" % model)
         self.assertEqual((code, out), (64, b""))
         self.assertIn("pip install", said)
 
