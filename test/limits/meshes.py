@@ -87,7 +87,7 @@ def main():
             with open(os.path.join(folder, name + ".sc"), "w") as file:
                 file.write(MODEL % name)
         with open(os.path.join(folder, "trace.csv"), "w") as file:
-            file.write("time,x(p)\n0,0\n")
+            file.write("time,event\n0,time\n")
         for words, file in COMMANDS:
             for case in (large, small):
                 wrong = case(scc, words, file, folder)
