@@ -429,13 +429,16 @@ def readme(b, scc):
 
 FILMED = """
   const [time] = arguments, done = arguments[1], film = document.querySelector("video");
-  film.onseeked = () => {
+  // A busy browser may have sought, and no picture of it yet.
+  const draw = (tries) => {
     const canvas = document.createElement("canvas"), pen = canvas.getContext("2d");
     [canvas.width, canvas.height] = [film.videoWidth, film.videoHeight];
     pen.drawImage(film, 0, 0);
     const data = pen.getImageData(0, 0, canvas.width, canvas.height).data;
-    done([...data.filter((_, i) => i % 4 !== 3)]);
+    if (tries > 0 && data.every((x, i) => i % 4 !== 3 || x === 0)) setTimeout(draw, 100, tries - 1);
+    else done([...data.filter((_, i) => i % 4 !== 3)]);
   };
+  film.onseeked = () => draw(50);
   film.currentTime = time;"""
 
 
@@ -455,7 +458,7 @@ def films(b, scc):
     # for a second.
     check('it decodes, and is so long', len(seen) == 3 and abs(seen[0] - (12 / 8 + 1)) <= 0.2, seen)
     same('and so large', seen[1:], [160, 2 * round(160 * high / wide / 2)])
-    first, again, later = [b.driver.execute_async_script(FILMED, time) for time in (0, 0.05, 2.3)]
+    first, again, later = [b.driver.execute_async_script(FILMED, time) for time in (0.02, 0.05, 2.3)]
     apart = lambda one, two: sum(abs(x - y) for x, y in zip(one, two)) / len(one)
     check('its pictures move', apart(first, later) > 2 and apart(first, again) < 1, (apart(first, later), apart(first, again)))
 
