@@ -8,16 +8,22 @@ type bytes = (int, int8_unsigned_elt, c_layout) Array1.t
    no room for one. *)
 let device = "/dev/zero"
 
+(* Mappings take addresses, most of which are never written to: under a limit on these there would be none left for
+   anything else. *)
+let are_addresses_limited () = Option.is_some (Scc_system.Resources.limit Addresses)
+
 let map kind count =
-  match Unix.openfile device [ O_RDWR; O_CLOEXEC ] 0 with
-  | exception Unix.Unix_error _ -> None
-  | fd ->
-    Fun.protect
-      ~finally:(fun () -> Unix.close fd)
-      (fun () ->
-         match Unix.map_file fd kind c_layout true [| count |] with
-         | memory -> Some (array1_of_genarray memory)
-         | exception (Unix.Unix_error _ | Sys_error _) -> None)
+  if are_addresses_limited () then None
+  else
+    match Unix.openfile device [ O_RDWR; O_CLOEXEC ] 0 with
+    | exception Unix.Unix_error _ -> None
+    | fd ->
+      Fun.protect
+        ~finally:(fun () -> Unix.close fd)
+        (fun () ->
+           match Unix.map_file fd kind c_layout true [| count |] with
+           | memory -> Some (array1_of_genarray memory)
+           | exception (Unix.Unix_error _ | Sys_error _) -> None)
 
 let numbers count = map int count
 (* Hardly any system refuses so much, as none of it is taken. *)

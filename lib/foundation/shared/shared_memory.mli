@@ -1,5 +1,6 @@
 (** Memory that a process shares with those that it forks afterwards. It needs no file, and takes room where it
-    has been written to; where nothing was written there are zeros. *)
+    has been written to; where nothing was written there are zeros.
+    Under a limit on addresses ([ulimit -v]) the system counts all of it: there is none then. *)
 
 open Bigarray
 
