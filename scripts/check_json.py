@@ -485,7 +485,8 @@ def check_oracle(scc):
             ("successors", {"model": handle, "states": "all"}),
             ("replay", replay),
         ]:
-            request = {"jsonrpc": "2.0", "id": len(lines), "method": method, "params": params}
+            # Tests have smaller numbers.
+            request = {"jsonrpc": "2.0", "id": 10000 + len(lines), "method": method, "params": params}
             lines.append(json.dumps(request))
     result = subprocess.run([scc, "oracle"], input="\n".join(lines).encode(), capture_output=True)
     answers = {}

@@ -5,36 +5,6 @@ open Scc_picture
 
 type t = { page : Page_camera.t; width : int option }
 
-(* "%7B" is "{". What is no such thing stays. *)
-let decoded text =
-  let b = Buffer.create (String.length text) in
-  let digit c =
-    match c with
-    | '0' .. '9' -> Some (Char.code c - 48)
-    | 'a' .. 'f' -> Some (Char.code c - 87)
-    | 'A' .. 'F' -> Some (Char.code c - 55)
-    | _ -> None
-  in
-  let rec go i =
-    if i < String.length text then
-      let byte =
-        if text.[i] = '%' && i + 2 < String.length text then
-          match (digit text.[i + 1], digit text.[i + 2]) with
-          | Some high, Some low -> Some (Char.chr ((16 * high) + low))
-          | _ -> None
-        else None
-      in
-      match byte with
-      | Some c ->
-        Buffer.add_char b c;
-        go (i + 3)
-      | None ->
-        Buffer.add_char b text.[i];
-        go (i + 1)
-  in
-  go 0;
-  Buffer.contents b
-
 let parts link =
   let fragment =
     match String.index_opt link '#' with
@@ -43,7 +13,7 @@ let parts link =
   in
   let part text =
     Option.map
-      (fun i -> (String.sub text 0 i, decoded (String.sub text (i + 1) (String.length text - i - 1))))
+      (fun i -> (String.sub text 0 i, Percent.decoded (String.sub text (i + 1) (String.length text - i - 1))))
       (String.index_opt text '=')
   in
   List.filter_map part (String.split_on_char '&' fragment)

@@ -1,29 +1,4 @@
-let hex c =
-  match c with
-  | '0' .. '9' -> Some (Char.code c - 48)
-  | 'a' .. 'f' -> Some (Char.code c - 87)
-  | 'A' .. 'F' -> Some (Char.code c - 55)
-  | _ -> None
-
-let decoded text =
-  let n = String.length text and b = Buffer.create 64 in
-  let rec from i =
-    if i < n then
-      let code =
-        if text.[i] = '%' && i + 2 < n then
-          match (hex text.[i + 1], hex text.[i + 2]) with Some a, Some b -> Some ((16 * a) + b) | _ -> None
-        else None
-      in
-      match code with
-      | Some code ->
-        Buffer.add_char b (Char.chr code);
-        from (i + 3)
-      | None ->
-        Buffer.add_char b text.[i];
-        from (i + 1)
-  in
-  from 0;
-  Buffer.contents b
+open Scc_base
 
 let normal path =
   let step kept = function
@@ -40,7 +15,7 @@ let after prefix text =
   else None
 
 let path uri =
-  let local rest = if String.length rest > 0 && rest.[0] = '/' then Some (normal (decoded rest)) else None in
+  let local rest = if String.length rest > 0 && rest.[0] = '/' then Some (normal (Percent.decoded rest)) else None in
   match (after "file://localhost" uri, after "file://" uri) with
   | Some rest, _ -> local rest
   | None, Some rest -> local rest

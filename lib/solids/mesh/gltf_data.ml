@@ -19,28 +19,9 @@ let spend t at n =
     t.budget := !(t.budget) - n;
     Ok ())
 
-(* Characters written as [%20]; [None] for a percent sign that is none of these. *)
-let unescaped uri =
-  let n = String.length uri in
-  let b = Buffer.create n in
-  let rec go i =
-    if i >= n then Some (Buffer.contents b)
-    else if uri.[i] <> '%' then begin
-      Buffer.add_char b uri.[i];
-      go (i + 1)
-    end
-    else
-      match if i + 2 < n then int_of_string_opt ("0x" ^ String.sub uri (i + 1) 2) else None with
-      | Some code ->
-        Buffer.add_char b (Char.chr code);
-        go (i + 3)
-      | None -> None
-  in
-  go 0
-
 (* What another file has is room for vertices too. *)
 let outside ~files ~path ~budget buffer uri =
-  match Option.map (Beside.find files ~path) (unescaped uri) with
+  match Option.map (Beside.find files ~path) (Percent.decoded_strictly uri) with
   | Some (Ok data) ->
     budget := !budget + (2 * String.length data);
     Ok data

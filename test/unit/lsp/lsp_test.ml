@@ -52,6 +52,7 @@ let addresses () =
   let path = Alcotest.(check (option string)) in
   path "plain" (Some "/a/b.sc") (Uri.path "file:///a/b.sc");
   path "encoded" (Some "/a b/é%.sc") (Uri.path "file:///a%20b/%C3%A9%25.sc");
+  path "of no escape" (Some "/a%zz%4") (Uri.path "file:///a%zz%4");
   path "with dots" (Some "/b.sc") (Uri.path "file:///a/./../b.sc");
   path "of this machine" (Some "/a") (Uri.path "file://localhost/a");
   path "of another one" None (Uri.path "file://other/a");
