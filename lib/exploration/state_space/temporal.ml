@@ -11,7 +11,13 @@ type asked = {
   still : Scc_ctl.Timed_formula.t -> Scc_ctl.Timed_formula.t option;
 }
 
-type t = { asked : asked; graph : Graph.t; eval : Scc_ctl.Eval.t; uses : Scc_ctl.Eval.uses }
+type t = {
+  asked : asked;
+  graph : Graph.t;
+  eval : Scc_ctl.Eval.t;
+  uses : Scc_ctl.Eval.uses;
+  cut_short : bool ref;  (** whether the time was over for what was computed of the present formula *)
+}
 
 (* With predicates for the times after which a goal is not met any more. *)
 let ask context temporals =
@@ -69,13 +75,19 @@ let timed_graph context ~rests g : Timed_graph.t =
   { size; known; edges; drawn = drawn context g; flow }
 
 (* Work that begins when the time of explorations is over has none but that of conclusions. *)
-let effort (surroundings : Scc_graph_search.Limits.surroundings) : Scc_chance.Effort.t =
+let effort (surroundings : Scc_graph_search.Limits.surroundings) cut_short : Scc_chance.Effort.t =
   let over (s : Scc_graph_search.Limits.surroundings) =
     let is_over () = Option.is_some (s.stop ()) in
     if is_over () then Fun.const false else is_over
   in
   let half () = over (surroundings.half ()) in
-  { Scc_chance.Effort.default with interrupted = over surroundings; half }
+  let over = over surroundings in
+  let interrupted () =
+    let now = over () in
+    if now then cut_short := true;
+    now
+  in
+  { Scc_chance.Effort.default with interrupted; half }
 
 let on ?(surroundings = Scc_graph_search.Limits.quiet) asked ~rests graph =
   (* Formulas are evaluated one after the other, each in all states, and may be as many as bodies. *)
@@ -97,19 +109,24 @@ let on ?(surroundings = Scc_graph_search.Limits.quiet) asked ~rests graph =
     }
   in
   let index = Timed_graph.index (timed_graph asked.context ~rests graph) in
-  let eval = Scc_ctl.Eval.create ~effort:(effort surroundings) ~still:asked.still index predicates in
-  { asked; graph; eval; uses = Scc_ctl.Eval.uses eval asked.formulas }
+  let cut_short = ref false in
+  let eval = Scc_ctl.Eval.create ~effort:(effort surroundings cut_short) ~still:asked.still index predicates in
+  { asked; graph; eval; uses = Scc_ctl.Eval.uses eval asked.formulas; cut_short }
 
 let origin = Scc_ctl.Positions.start 0
 let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
 
-let done_with t i = Scc_ctl.Eval.done_with t.eval t.uses i
+let is_cut_short t = !(t.cut_short)
+
+let done_with t i =
+  t.cut_short := false;
+  Scc_ctl.Eval.done_with t.eval t.uses i
 
 let explain t i = Explanation.explain t.eval t.asked.formulas.(i) origin
 
 let contrast t explanation = Scc_ctl.Contrast.explain t.eval explanation
 
-let is_chain t = Timed_graph.is_chain (Scc_ctl.Eval.graph t.eval)
+let is_chain t = Scc_ctl.Eval.is_chain t.eval
 let probability t i side = Scc_ctl.Eval.probability t.eval ~decide:false side t.asked.formulas.(i) origin
 
 let curve t i side = Scc_ctl.Eval.curve t.eval side t.asked.formulas.(i) origin.node

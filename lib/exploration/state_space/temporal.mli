@@ -27,6 +27,10 @@ val done_with : t -> int -> unit
 (** Declares that the formula with this index, and all before it, are not used any more. The memory for their
     values is released. *)
 
+val is_cut_short : t -> bool
+(** [is_cut_short t] is true if a probability or mean that was computed since {!done_with} was called, or ever, is
+    less well known than it would be with more time. *)
+
 val is_chain : t -> bool
 (** [is_chain t] is true if no state of the graph leaves a choice ({!Scc_ctl.Timed_graph.is_chain}): then least and
     greatest probabilities and means are equal. *)

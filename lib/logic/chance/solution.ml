@@ -40,8 +40,23 @@ let has_large_part (e : Equations.t) =
 
 let decided n bound asked = Array.for_all (fun v -> Option.is_some (Answer.holds (n.of_node v) bound)) asked
 
+(* Of a large part it cannot be told beforehand whether exact values or intervals decide a bound sooner. Both are tried
+   in turn, with more and more effort, before exact values get all of it: so many products of small numbers for these,
+   and so many looks at the clock for intervals. *)
+let turns = [ (1 lsl 22, 16); (1 lsl 26, 512) ]
+
+(* That is over after so many looks at the clock, which depend on nothing but the work. *)
+let looking (effort : Effort.t) looks =
+  let left = ref looks in
+  let interrupted () =
+    decr left;
+    !left < 0 || effort.interrupted ()
+  in
+  { effort with interrupted }
+
 let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
-  let nearly = nearly e effort ~possible ~rewards ~asked in
+  let nearly_within effort = nearly e effort ~possible ~rewards ~asked in
+  let nearly = nearly_within effort in
   if e.size = 0 then { of_node = (fun _ -> possible); row = (fun _ -> 0); how = By_graph }
   else
     match effort.engine with
@@ -59,8 +74,16 @@ let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
         in
         match effort.bound with
         | Some bound when has_large_part e ->
-          let found = nearly None in
-          if decided found bound asked then found else exactly_or nearly
+          let rec turn = function
+            | [] -> exactly_or nearly
+            | (steps, looks) :: rest -> (
+                match Exact_solver.solve e { effort with steps = Int.min steps effort.steps } with
+                | Ok s -> exactly s
+                | Error (Interrupted | Too_long | Too_much) ->
+                  let found = nearly_within (looking effort looks) None in
+                  if decided found bound asked then found else turn rest)
+          in
+          turn turns
         | Some _ | None -> exactly_or nearly)
 
 (* In a merged component the state that has the chosen choice is gone to, by internal choices. *)

@@ -9,6 +9,15 @@ type predicates = {
 }
 
 type value = { lower : Positions.t; upper : Positions.t }
+type measured = { least : Answer.t; most : Answer.t }
+
+type asked = {
+  decide : bool;
+  side : Timed_formula.side;
+  formula : Timed_formula.t;
+  position : Positions.position;
+}
+
 type t = {
   index : Timed_graph.index;
   predicates : predicates;
@@ -16,10 +25,13 @@ type t = {
   still : Timed_formula.t -> Timed_formula.t option;
   mutable values : value Map.t;
   mutable fresh : Timed_formula.t list;  (** what got its value since something was forgotten *)
+  mutable recent : (asked * measured) list;  (** the last probabilities, which explanations ask for again *)
+  is_chain : bool Lazy.t;
 }
 
 let create ?(effort = Effort.default) ?(still = fun _ -> None) index predicates =
-  { index; predicates; effort; still; values = Map.empty; fresh = [] }
+  let is_chain = lazy (Timed_graph.is_chain (Timed_graph.graph index)) in
+  { index; predicates; effort; still; values = Map.empty; fresh = []; recent = []; is_chain }
 
 let index t = t.index
 let graph t = Timed_graph.graph t.index
@@ -190,7 +202,8 @@ let done_with t uses i =
   let forget f = t.values <- Map.remove f t.values in
   List.iter forget (List.filter is_over t.fresh);
   List.iter forget uses.ending.(i);
-  t.fresh <- []
+  t.fresh <- [];
+  t.recent <- []
 
 (* At one position, of which a probability is found without those of all others. *)
 let pair_of v position = (Positions.mem v.lower position, Positions.mem v.upper position)
@@ -203,10 +216,8 @@ let interval t effort side bound f g position =
   if all_known t f g then (low, low)
   else (low, Likelihood.at (question true (fun v -> v.upper)) effort position)
 
-type measured = { least : Answer.t; most : Answer.t }
-
-let probability t ~decide side f position =
-  match as_until t f with
+let measure t { decide; side; formula; position } =
+  match as_until t formula with
   | None -> Scc_base.Bug.fail __POS__ "a probability of what is no until"
   | Some (u, flipped) ->
     let asked : Timed_formula.quantifier -> Answer.bound option = function
@@ -218,6 +229,27 @@ let probability t ~decide side f position =
     let low, high = interval t effort side u.bound (value t u.left) (value t u.right) position in
     if flipped then { least = Answer.complement high; most = Answer.complement low }
     else { least = low; most = high }
+
+let is_chain t = Lazy.force t.is_chain
+
+(* What is found without a test is at least as good as what is found to decide it. Without choices both sides are one. *)
+let answers t asked (known, _) =
+  (asked.decide || not known.decide)
+  && (asked.side = known.side || is_chain t)
+  && Timed_formula.compare asked.formula known.formula = 0
+  && asked.position.node = known.position.node
+  && Algebraic.equal asked.position.offset known.position.offset
+
+let most_recent = 4
+
+let probability t ~decide side formula position =
+  let asked = { decide; side; formula; position } in
+  match List.find_opt (answers t asked) t.recent with
+  | Some (_, measured) -> measured
+  | None ->
+    let measured = measure t asked in
+    t.recent <- (asked, measured) :: List.filteri (fun i _ -> i < most_recent - 1) t.recent;
+    measured
 
 (* Both ends of a value may change at their own times. *)
 let curve t side f node =

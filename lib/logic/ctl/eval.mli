@@ -71,11 +71,14 @@ val uses : t -> Timed_formula.t array -> uses
 (** [uses e formulas] is the table for formulas that are evaluated in this order. *)
 
 val done_with : t -> uses -> int -> unit
-(** [done_with e uses n] drops from the cache the values that no formula after number [n] needs. It is called after
-    each formula, in order. Each value takes memory for each state. *)
+(** [done_with e uses n] drops from the cache the values that no formula after number [n] needs, and all answers of
+    {!probability}. It is called after each formula, in order. Each value takes memory for each state. *)
 
 val truth : t -> Timed_formula.t -> Positions.position -> bool option
 (** [truth e f p] is the truth of [f] at position [p]; [None] if it is undecided. *)
+
+val is_chain : t -> bool
+(** [is_chain e] is true if no state of the graph leaves a choice ({!Timed_graph.is_chain}). *)
 
 (** A probability: it is at least [least] and at most [most], which are equal if all is known. *)
 type measured = { least : Scc_chance.Answer.t; most : Scc_chance.Answer.t }

@@ -133,6 +133,7 @@ module Make (L : Lts.S) = struct
   let targets g ~timed i =
     let wanted label = Bool.equal timed (takes_time g label) in
     match g.edges with
+    | _ when (not timed) && Statuses.is_timed g.statuses i -> [||]
     | Some store when is_expanded g i -> Edge_store.targets store i wanted
     | Some _ | None ->
       let fitting = List.filter (fun e -> wanted e.label) (Array.to_list (edges g i)) in

@@ -18,9 +18,11 @@ type result = {
 
 (* A probability that is not known well enough is the reason where there is no other. *)
 let formula_doubts r temporal i =
+  let cut_short = Unsettled.cut_short r temporal in
   match Unsettled.evaluated r (fun () -> (Temporal.doubts temporal i, Measuring.intervals temporal i)) with
   | Error why -> why
-  | Ok (doubts, intervals) -> (match Unsettled.doubts r doubts with [] -> intervals | reasons -> reasons)
+  | Ok (doubts, intervals) ->
+    (match Unsettled.doubts r doubts with [] -> intervals | reasons -> reasons) @ cut_short
 
 (** {2 Verdicts} *)
 

@@ -15,8 +15,11 @@ let reasons_of (r : Unsettled.t) doubts =
   | Error why -> why
 
 (* Why these values are not better known. *)
-let reasons (r : Unsettled.t) values doubts =
-  if List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then [] else reasons_of r doubts
+let reasons (r : Unsettled.t) temporal values doubts =
+  if List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then []
+  else
+    let cut_short = Unsettled.cut_short r temporal in
+    reasons_of r doubts @ cut_short
 
 (* Where nothing is left to choose, what is found for one side is so for the other. *)
 let of_sides temporal sides find =
@@ -46,7 +49,7 @@ let probability (r : Unsettled.t) temporal i sides ~curve =
   match Unsettled.evaluated r (fun () -> of_sides temporal sides (Temporal.probability temporal i)) with
   | Error why -> Verdict.Undecided why
   | Ok values ->
-    let reasons = reasons r values (fun () -> Temporal.possible_doubts temporal i) in
+    let reasons = reasons r temporal values (fun () -> Temporal.possible_doubts temporal i) in
     (match Unsettled.evaluated r (fun () -> if curve then points temporal i sides else Ok []) with
      | Error why -> Undecided why
      | Ok (Error why) -> Undecided [ Undefined why ]
@@ -72,7 +75,7 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
       List.map (fun text -> Verdict.Undefined text) texts
       @ if states = [] then [] else Unsettled.unexplored r (List.to_seq states)
     in
-    let of_values values = reasons r values (fun () -> Temporal.doubts_of_mean temporal i) in
+    let of_values values = reasons r temporal values (fun () -> Temporal.doubts_of_mean temporal i) in
     match (unknown, List.filter_map known found, test) with
     | (_ :: _ as reasons), _, _ -> Undecided reasons
     | [], ([ (_, m) ] as values), Some bound -> compared bound m ~reasons:(fun () -> of_values values)

@@ -72,6 +72,11 @@ let evaluated r f =
   in
   Result.map_error why (r.surroundings.attempt.run Concluding f)
 
+let cut_short r temporal =
+  match r.surroundings.stop () with
+  | Some stop when Temporal.is_cut_short temporal -> [ Verdict.Unevaluated (Lost.stopped r.lost stop) ]
+  | Some _ | None -> []
+
 let first r reason =
   let rec find states =
     match states () with
