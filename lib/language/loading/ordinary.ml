@@ -37,7 +37,7 @@ let has_ranges (l : Loaded.t) =
     Error
       [
         Diag.error Code.bad_value Span.none "no parameter of this model has a range"
-          ~hint:"`param x in [0, 6]` declares one; with -D NAME=LOW..HIGH it gets another one";
+          ~hint:"`param x in [0, 6]` declares one, `-D 'x=[1,3]'` narrows it, and `-D x=2` leaves a value alone";
       ]
 
 let refuse l = Result.bind (at_point l) (fun () -> Result.map (fun () -> l) (on_grid l))

@@ -11,6 +11,15 @@ let end_of (check : Property.check) =
   | How_likely _, (Finally (_, bound, _) | Globally (_, bound, _) | Until (_, bound, _, _)) -> bound.high
   | _ -> None
 
+let of_sets =
+  Error
+    [
+      Diag.error Code.not_yet Span.command_line
+        "--curve: this model is explored by sets of states, as it leaves values or instants open, and a curve is that \
+         of one start"
+        ~hint:"leave out --curve; or give all parameters values with `-D NAME=VALUE`, and a `split_step`";
+    ]
+
 let refused (l : Loaded.t) ~declared ~drawn name =
   let refuse option message = Error [ Diag.error Code.bad_value Span.command_line "%s: %s" option message ] in
   let fail = refuse "--curve" in
@@ -27,6 +36,7 @@ let refused (l : Loaded.t) ~declared ~drawn name =
         fail
           (Printf.sprintf
              "`%s' does not ask for a probability within a time, as `P = ? [ eventually f within t ]' does" name)
+      | Some _ when Scc_verdicts.Verdicts.over_zones l -> of_sets
       | Some _ -> Ok ())
 
 let lines (v : Verdict.t) =

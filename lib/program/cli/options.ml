@@ -130,6 +130,7 @@ let parse_given s =
     match cut (String.sub s 1 (String.length s - 2)) "," with
     | Some (low, high) -> between s.[0] low high s.[String.length s - 1]
     | None -> no_range s
+  else if String.exists (String.contains "[]()") s then no_range s
   else Result.map (fun q -> Value q) (parse_value s)
 
 let given_to_string = function

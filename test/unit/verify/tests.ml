@@ -9,4 +9,5 @@ let () =
       Test_lost.suite;
       Test_left_out.suite;
       Test_advice.suite;
-      Test_shares.suite ]
+      Test_shares.suite;
+      Test_cut_short.suite ]
