@@ -55,3 +55,10 @@ let of_run chance =
   if Rat.equal chance Rat.one then "the choices that attain it lead to this run:"
   else Printf.sprintf "the choices that attain it lead to this run, among others, with the probability %s:"
       (number chance)
+
+let of_sides ~is_chain sides find =
+  match sides with
+  | first :: (_ :: _ as others) when is_chain () ->
+    let found = find first in
+    (first, found) :: List.map (fun s -> (s, found)) others
+  | _ -> List.map (fun s -> (s, find s)) sides

@@ -30,3 +30,7 @@ val values : (Scc_property.Property.side * Eval.measured) list -> string
 val of_run : Scc_exact.Rat.t -> string
 (** The introduction to a shown run that attains a probability, with the probability of this run if it is less
     than 1. *)
+
+val of_sides : is_chain:(unit -> bool) -> 'side list -> ('side -> 'a) -> ('side * 'a) list
+(** [of_sides ~is_chain sides find] is what [find] finds for each side. Where nothing is left to choose, as [is_chain ()]
+    says, what is found for the first side is so for the others. *)

@@ -21,13 +21,7 @@ let reasons (r : Unsettled.t) temporal values doubts =
     let cut_short = Unsettled.cut_short r temporal in
     reasons_of r doubts @ cut_short
 
-(* Where nothing is left to choose, what is found for one side is so for the other. *)
-let of_sides temporal sides find =
-  match sides with
-  | first :: (_ :: _ as others) when Temporal.is_chain temporal ->
-    let found = find first in
-    (first, found) :: List.map (fun s -> (s, found)) others
-  | _ -> List.map (fun s -> (s, find s)) sides
+let of_sides temporal sides find = Likelihoods.of_sides ~is_chain:(fun () -> Temporal.is_chain temporal) sides find
 
 (* All sides at each moment, without those at which nothing changes. *)
 let points temporal i sides : (Verdict.point list, string) result =

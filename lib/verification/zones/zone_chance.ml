@@ -250,14 +250,6 @@ let unknown ranges =
   let none = Union.empty (Array.length ranges) in
   Where.make ranges ~holds:none ~fails:none
 
-(* Where nothing is left to choose, what is found for one side is so for the other. *)
-let of_sides graph sides find =
-  match sides with
-  | first :: (_ :: _ as others) when Chance_graph.is_chain graph ->
-    let found = find first in
-    (first, found) :: List.map (fun s -> (s, found)) others
-  | _ -> List.map (fun s -> (s, find s)) sides
-
 let by_start w starts : Verdict.t =
   let answer = Option.fold ~none:Answer.Infinite ~some:(fun x -> Answer.Exact x) in
   let value (s, chances) =
@@ -282,7 +274,7 @@ let measured w sides (o : Zone_question.operator) =
   let graph = explore w o.until in
   let known (p, v) = (p, Chances.known w.ranges v) in
   let of_side s = Chances.make w.ranges (List.map known (pieces w graph o ~chance:true (side s))) in
-  by_start w (of_sides graph sides of_side)
+  by_start w (Scc_explain.Likelihoods.of_sides ~is_chain:(fun () -> Chance_graph.is_chain graph) sides of_side)
 
 (* {2 Means} *)
 
@@ -340,7 +332,7 @@ let mean w sides mean (test : Answer.bound option) =
     let value (p, least, most) = (p, { Chances.least = form least; most = form most }) in
     let of_side s = Chances.make w.ranges (List.map value (mean_ends w graph s)) in
     let verdict =
-      match of_sides graph sides of_side with
+      match Scc_explain.Likelihoods.of_sides ~is_chain:(fun () -> Chance_graph.is_chain graph) sides of_side with
       | starts -> by_start w starts
       | exception Unknown_somewhere -> Undecided (snd (reasons w))
     in
