@@ -30,10 +30,15 @@ let explained r temporal i =
     let e = Temporal.explain temporal i in
     Option.map (contrasted e) (Make_witness.of_explanation r.context r.graph temporal e)
   in
+  let over stop = raise (Limits.Over stop) in
   let make () =
-    try made ()
-    with Scc_ctl.Explanation.Not_known ->
-      raise (Limits.Over (Option.value (r.surroundings.stop ()) ~default:Limits.Seconds))
+    match made () with
+    | Some w -> Some w
+    | None ->
+      if Temporal.is_cut_short temporal then Option.iter over (r.surroundings.stop ());
+      None
+    | exception Scc_ctl.Explanation.Not_known ->
+      over (Option.value (r.surroundings.stop ()) ~default:Limits.Seconds)
   in
   run r make
 
@@ -94,13 +99,9 @@ let counted r states =
   in
   Seq.fold_left nearer (0, None) states
 
-(* Why no answer was found in some states. *)
+(* Why no answer was found in some states. They may have been left because all was decided, and then the time was over
+   before it was decided again ({!cut_short}). *)
 let causes r states : Verdict.reason list =
-  let bound = function
-    | Bounds.Bound t -> Some t
-    | Fault _ -> None
-    | Early -> Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
-  in
   let fault = function Bounds.Fault f -> Some f.Scc_base.Diag.message | Bound _ | Early -> None in
   let causes = List.map (cause r) (reasons r states) in
   let bounds = Verdict.distinct (List.filter_map bound causes) in
