@@ -56,10 +56,30 @@ def framing(scc):
         ("params that are a number", b'{"jsonrpc":"2.0","id":1,"method":"initialize","params":3}', -32600),
         ("no UTF-8", b'{"jsonrpc":"2.0","id":1,"method":"\xff"}', -32700),
         ("deep JSON", b"[" * 100000, -32700),
+        ("an id that is a fraction", b'{"jsonrpc":"2.0","id":1.5,"method":"initialize"}', -32600),
+        ("half a surrogate pair", b'{"jsonrpc":"2.0","id":1,"method":"\\ud800"}', -32700),
+        ("no method, no result", b'{"jsonrpc":"2.0"}', -32600),
     ]:
         server.raw(b"Content-Length: %d\r\n\r\n%s" % (len(text), text))
         answer = server.next()
         check(what, code(answer) == wanted, answer)
+    for method in ["5", "null", "true", "[]", "{}", "1.5"]:
+        for id in ["77", '"a"']:
+            text = b'{"jsonrpc":"2.0","id":%s,"method":%s}' % (id.encode(), method.encode())
+            server.raw(b"Content-Length: %d\r\n\r\n%s" % (len(text), text))
+            answer = server.next()
+            check(f"the method {method}", code(answer) == -32600 and answer["id"] == json.loads(id), answer)
+    for text, words in [
+        (b"", "empty"),
+        (b'{"jsonrpc":"2.0","id":1.5,"method":"x"}', "neither an integer nor a text"),
+        (b'"\\ud800"', "surrogate"),
+        (b"[" * 201 + b"]" * 201, "cannot be read: values are nested deeper than 200"),
+        (b"9" * 30, "too many digits"),
+        (b"{", "this is not JSON"),
+    ]:
+        server.raw(b"Content-Length: %d\r\n\r\n%s" % (len(text), text))
+        answer = server.next()
+        check(f"the words of {words}", words in answer["error"]["message"], answer)
     check("a request before initialize", code(server.ask("textDocument/hover", {})) == -32002)
     server.notify("textDocument/didOpen", {})
     check("a piece of a header at a time", True)
