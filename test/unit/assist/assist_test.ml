@@ -418,6 +418,75 @@ let suggestions () =
   List.iter model (models "../../../specs/conformance/invalid");
   Alcotest.(check bool) (Printf.sprintf "%d suggestions" !count) true (!count >= 4)
 
+(* {1 What is offered fits} *)
+
+(* Where a name stands as an argument in a check, or begins a behaviour of a process, each name that is offered is put
+   in its place: then there is no error there about an unknown name or one of another kind. What is offered with
+   indices or arguments needs them. *)
+let fitting () =
+  let places = ref 0 and offered = ref 0 in
+  let model folder (file, text) =
+    let read_file path = try Ok (read (Filename.concat folder path)) with Sys_error e -> Error e in
+    let faults text =
+      let source = Source.make ~name:file text in
+      match Scc_loading.Loaded.load ~read_file ~overrides:[] source with Ok _ -> [] | Error found -> found
+    in
+    let r = reading text in
+    let known = Known.of_text modules r and tokens = (Lazy.force r.tokens).tokens in
+    let one (before : Tokens.token) (t : Tokens.token) (after : Tokens.token) =
+      let put (o : Completion.offer) =
+        let simple = match o.form with Some form -> not (String.contains form '[' || String.contains form '(') | None -> true in
+        if simple && List.mem o.kind [ "body"; "channel"; "behaviour"; "shape"; "value"; "feature" ] then begin
+          incr offered;
+          let changed = Rename.apply text [ (Span.make ~file ~start:t.start ~stop:t.stop, o.name) ] in
+          let wrong (d : Diag.t) =
+            List.mem d.code [ "SC0201"; "SC0210" ] && d.span.start <= t.start && t.start <= d.span.stop
+          in
+          match List.find_opt wrong (faults changed) with
+          | Some d -> Alcotest.failf "%s: `%s` for %s: %s" file o.name (String.sub text t.start (t.stop - t.start)) d.message
+          | None -> ()
+        end
+      in
+      ignore before;
+      match after.token with
+      | COMMA | RPAREN | RBRACKET ->
+        incr places;
+        List.iter put (snd (Completion.at known text t.start))
+      | _ -> ()
+    in
+    let in_check at =
+      let within (i : Ast.item) = i.at.start <= at && at < i.at.stop in
+      let rec is (items : Ast.model) =
+        List.exists
+          (fun (i : Ast.item) ->
+             within i && match i.it with Check _ -> true | For (_, inner) -> is inner | _ -> false)
+          items
+      in
+      is (Lazy.force r.model)
+    in
+    let is_process at =
+      let rec is (items : Ast.model) =
+        List.exists
+          (fun (i : Ast.item) ->
+             i.at.start <= at && at < i.at.stop
+             && match i.it with Process _ -> true | For (_, inner) -> is inner | _ -> false)
+          items
+      in
+      is (Lazy.force r.model)
+    in
+    let n = Array.length tokens in
+    for i = 1 to n - 2 do
+      let before = tokens.(i - 1) and t = tokens.(i) in
+      match (before.token, t.token) with
+      | (LPAREN | COMMA), (NAME _ | LETTER _) when in_check t.start -> one before t tokens.(i + 1)
+      | LBRACKET, (NAME _ | LETTER _) when is_process t.start && i > 2 && tokens.(i - 3).token <> PROCESS -> one before t tokens.(i + 1)
+      | _ -> ()
+    done
+  in
+  let all folder = List.iter (model folder) (models folder) in
+  all "../../../specs/cookbook";
+  Alcotest.(check bool) (Printf.sprintf "%d names at %d places" !offered !places) true (!places > 40)
+
 (* {1 A text as a whole} *)
 
 let rec nested (n : Outline.node) =
@@ -498,5 +567,6 @@ let () =
                  case "suggestions" suggestions; case "families" families; case "imported names" imported;
                  case "predefined names are of no module" of_no_module;
                ]);
+      ("what is offered fits", [ case "in the cookbook" fitting ]);
       ("whole texts", [ case "outline" outline; case "beginnings of all models" prefixes ]);
     ]
