@@ -43,9 +43,9 @@ val nearest : string -> string list -> string option
 
 val suggest : string -> string list -> string option
 (** [suggest name candidates] is the hint ["did you mean `c`?"] for the candidate nearest to [name]. Its edit
-    distance must be that of a likely slip: at most a third of the length of [name], or 1. Of candidates at the same
-    distance, one that lacks a letter or has one more is nearer than one with another letter. Names of more than 64
-    bytes get no hint. *)
+    distance must be that of a likely slip: at most a third of the length of [name], or 1. Of candidates at one
+    distance, one that lacks a letter or has one more is nearer than one with another letter. Names of more than
+    64 bytes get no hint. *)
 
 val suggestions : string -> string list
 (** [suggestions hint] is the names that a hint suggests which begins as one of {!suggest}: ["did you mean `a`?"],

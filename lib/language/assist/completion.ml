@@ -57,7 +57,9 @@ let fitting t (i : Pieces.item) found =
    an argument; after that of `eps` or `push`, a number. *)
 let next_behaviour t i =
   let last = Pieces.before t.p 1 in
-  let called = match Pieces.bracket t.p with Some k when k > 0 && t.p.words.(k) = "(" -> t.p.words.(k - 1) | _ -> "" in
+  let called =
+    match Pieces.bracket t.p with Some k when k > 0 && t.p.words.(k) = "(" -> t.p.words.(k - 1) | _ -> ""
+  in
   let is_module = String.equal last "." && List.mem_assoc (owner t) t.known.modules in
   if is_module then exported ~only:(String.equal "behaviour") t (owner t)
   else if List.mem last [ "("; "," ] && List.mem called [ "eps"; "push" ] then

@@ -58,7 +58,8 @@ let argument t k n =
   | None -> None
   | Some forms ->
     let of_form form =
-      Option.map (fun (from, stop) -> String.sub form from (stop - from)) (List.nth_opt (Signatures.arguments form) n)
+      let slice (from, stop) = String.sub form from (stop - from) in
+      Option.map slice (List.nth_opt (Signatures.arguments form) n)
     in
     Some (unique (List.filter_map of_form forms))
 
@@ -87,7 +88,7 @@ let arguments t (i : Pieces.item) =
 let index t (i : Pieces.item) =
   match Pieces.bracket t.p with
   | Some k when k > i.first && t.p.words.(k) = "[" && List.mem_assoc t.p.words.(k - 1) t.known.members ->
-    Some (values t @ names "value" (of_variables "value" (variables t i)) @ entries Vocabulary.Function Forms.Called)
+    Some (values t @ names "value" (integers t i) @ entries Vocabulary.Function Forms.Called)
   | _ -> None
 
 (* Of what a quantifier is: `forall b in `. *)

@@ -124,7 +124,8 @@ let groups items =
 (* The processes that take part, by their names or those of their families. *)
 let network items =
   let first (p : Ast.path) = match p.it with s :: _ -> Some s.name.it | [] -> None in
-  let lists = List.filter_map (function Ast.Network paths -> Some (List.filter_map first paths) | _ -> None) items in
+  let listed = function Ast.Network paths -> Some (List.filter_map first paths) | _ -> None in
+  let lists = List.filter_map listed items in
   match lists with [] -> None | _ :: _ -> Some (List.concat lists)
 
 let of_text modules (r : Reading.t) =

@@ -17,7 +17,8 @@ type t = private {
   modules : (string * (string * string) list) list;  (** qualifiers, with what they bring: kinds and names *)
   channels : string list;
   features : (string, string list) Hashtbl.t;  (** of shapes, by their names as a text writes them *)
-  families : (string * string) list;  (** shapes and behaviours with arguments or indices, with how they are declared *)
+  families : (string * string) list;
+  (** shapes and behaviours with arguments or indices, with how they are declared *)
   on : (string, solid) Hashtbl.t;  (** what behaviours are declared for *)
   members : (string * string) list;  (** families of bodies, with how a member is declared: [c], [c[i]] *)
   groups : string list;  (** processes of several bodies *)

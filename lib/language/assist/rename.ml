@@ -21,7 +21,8 @@ let apply text edits =
 
 let name_fault name =
   let no_name =
-    Some (Printf.sprintf "`%s` is no name: a name is an ASCII letter, and letters, digits, `_` and `'` after it" name)
+    let rule = "a name is an ASCII letter, and letters, digits, `_` and `'` after it" in
+    Some (Printf.sprintf "`%s` is no name: %s" name rule)
   in
   let begins = name <> "" && match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false in
   match (Tokens.read (Source.make ~name:"name" name)).tokens with

@@ -72,8 +72,8 @@ val written : t -> string -> string option
     name that the text gives to an import. It is [None] if the text has no name for it. *)
 
 val said : t -> string -> string
-(** [said env label] is the label of a shape or behaviour, perhaps with indices or arguments, as the text would write
-    it ({!written}), for messages about this text. What the text has no name for keeps its global name. *)
+(** [said env label] is the label of a shape or behaviour, perhaps with indices or arguments, as the text would
+    write it ({!written}), for messages about this text. What the text has no name for keeps its global name. *)
 
 val is_missing : t -> string -> bool
 (** [is_missing env qualifier] is true if the import with this qualifier cannot be read. *)

@@ -49,7 +49,9 @@ let most_listed = 8
 
 (* `c[2]` before `c[10]`. *)
 let in_order names =
-  let by_length a b = match Int.compare (String.length a) (String.length b) with 0 -> String.compare a b | k -> k in
+  let by_length a b =
+    match Int.compare (String.length a) (String.length b) with 0 -> String.compare a b | k -> k
+  in
   List.sort by_length names
 
 (* Of a family that is there, its members are listed; otherwise the name of a body or family is suggested, without

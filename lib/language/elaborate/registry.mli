@@ -29,8 +29,8 @@ val names : t -> string list
 (** All names, sorted. *)
 
 val hint : t -> ?also:string list -> string -> string option
-(** [hint t name] is a hint for a name that no body has. If a family has the name but not the indices, the hint lists
-    members. Otherwise it suggests the nearest name, without indices, of [t] and [also]. *)
+(** [hint t name] is a hint for a name that no body has. If a family has the name but not the indices, the hint
+    lists members. Otherwise it suggests the nearest name, without indices, of [t] and [also]. *)
 
 val unknown : t -> Report.t -> Span.t -> string -> unit
 (** [unknown t report at name] reports that no body has the printed name (SC0201), with {!hint}. *)

@@ -200,7 +200,8 @@ let find_known (c : Context.t) env (r : Ast.reference) (reference : Family.refer
       match predefined c r reference with
       | Some shape -> shape
       | None ->
-        Family.report_unknown c.report env "template" (Context.template_names c) ~predefined:Solids.names r reference;
+        let predefined = Solids.names in
+        Family.report_unknown c.report env "template" (Context.template_names c) ~predefined r reference;
         None)
 
 let find (c : Context.t) env (r : Ast.reference) =
