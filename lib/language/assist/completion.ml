@@ -104,17 +104,21 @@ let of_item t (i : Pieces.item) =
   let last = Pieces.before t.p 1 in
   let bracket = Option.fold ~none:"" ~some:(fun k -> t.p.words.(k)) (Pieces.bracket t.p) in
   let is_open = bracket <> "" and after_operator = List.mem last operators in
-  let in_features = match i.word with "behaviour" | "process" | "fixed" | "bond" -> of_behaviour t i | _ -> None in
-  match (in_features, i.word, last) with
+  let special =
+    match i.word with
+    | "behaviour" | "process" | "fixed" | "bond" -> (
+        match of_behaviour t i with None -> declared_index t i | found -> found)
+    | "check" -> Formula_places.offers t i
+    | _ -> None
+  in
+  match (special, i.word, last) with
   | Some found, _, _ -> found
-  | None, _, _ when Option.is_some (declared_index t i) -> Option.get (declared_index t i)
   | None, _, _ when begins_behaviour t i bracket -> next_behaviour t i
   | None, _, "." -> after_dot t i
   | None, "behaviour", "on" -> solids t
   | None, ("process" | "fixed" | "compound" | "shape"), ("=" | ":") when bracket <> "[" -> made_of t i
   | None, _, "event" -> entries Vocabulary.Event Forms.Event
   | None, ("process" | "fixed"), _ -> words attributes @ values t @ words beginning
-  | None, "check", _ when Option.is_some (Formula_places.offers t i) -> Option.get (Formula_places.offers t i)
   | None, "check", ":" when not is_open -> words temporal @ formula t
   | None, "check", _ -> formula t
   | None, "motion", _ when is_open || after_operator -> in_law t

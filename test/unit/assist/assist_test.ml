@@ -58,6 +58,22 @@ let completion =
       (just "import \"parts.sc\" as m\nprocess two = m.Pin mass 1 [<ink, {" [ "tip"; "f"; "only"; "one"; "two" ]);
     case "features of the library"
       (among "import <solids>\nprocess two = solids.Cube(2) mass 1 [<ink, {" [ "left"; "top" ] [ "p" ]);
+    case "bodies that an atom takes" (just "process two = A [nil]\ncheck c : bound(one, " [ "one"; "two" ]);
+    case "one body, not those of a process of several"
+      (just "process two = a : A [nil] <ink, {a.f, b.f}> b : A [nil]\ncheck c : always x(" [ "one"; "a"; "b" ]);
+    case "a body and a channel" (just "check c : event bind(ink, one, " [ "one" ]);
+    case "a channel" (just "check c : offers(one, " [ "ink" ]);
+    case "bodies of a quantifier"
+      (just "check c : always forall b in A: forall i in 1..3: x(" [ "one"; "b" ]);
+    case "no more within an argument" (just "check c : always x(one + " []);
+    case "a behaviour to compare with" (just "behaviour K = nil\ncheck c : behaviour(one) = " [ "K" ]);
+    case "a dot after a body" (just "check c : always one." []);
+    case "parts that are hit" (just "process two = D [nil]\ncheck c : event hit(two." [ "left"; "right" ]);
+    case "a process in a loop"
+      (just "behaviour K on A = nil\nfor i in 1..2 { process two[i] = A mass 1 [" [ "K"; "nil"; "omega"; "rho"; "eps" ]);
+    case "no behaviour for another shape"
+      (just "behaviour K on B = nil\nprocess two = A mass 1 [" [ "nil"; "omega"; "rho"; "eps" ]);
+    case "behaviours of a module alone" (just "import \"parts.sc\" as m\nprocess two = A mass 1 [m." []);
     case "components" (among "let v = (1, 2, 3)\nlet w = v." [ "x"; "y"; "z" ] []);
   ]
 

@@ -94,8 +94,8 @@ let of_no_module () =
 (* {1 What is offered fits} *)
 
 (* Where a name stands as an argument in a check, or begins a behaviour of a process, each name that is offered is
-   put in its place: then there is no error there about an unknown name or one of another kind. What is offered with
-   indices or arguments needs them. *)
+   put in its place: then there is no error there about an unknown name or one of another kind. What is offered
+   with indices or arguments needs them. *)
 let is_whole (o : Completion.offer) =
   let needs form = String.contains form '[' || String.contains form '(' in
   List.mem o.kind [ "body"; "channel"; "behaviour"; "shape"; "value"; "feature" ]
@@ -154,7 +154,8 @@ let fitting () =
   in
   let all folder = List.iter (model folder) (models folder) in
   all "../../../specs/cookbook";
-  Alcotest.(check bool) (Printf.sprintf "%d names at %d places" !offered !places) true (!places > 40 && !offered > 40)
+  let counts = Printf.sprintf "%d names at %d places" !offered !places in
+  Alcotest.(check bool) counts true (!places > 40 && !offered > 40)
 
 let () =
   Alcotest.run "sweeps of names"
