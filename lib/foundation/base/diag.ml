@@ -64,12 +64,12 @@ let nearest name candidates =
 let suggest name candidates = Option.map (Printf.sprintf "did you mean `%s`?") (nearest name candidates)
 
 let suggestions hint =
-  let rec names = function
-    | name :: " or " :: rest -> name :: names rest
-    | name :: after :: _ when String.starts_with ~prefix:"?" after -> [ name ]
+  let rec names found = function
+    | name :: " or " :: rest -> names (name :: found) rest
+    | name :: after :: _ when String.starts_with ~prefix:"?" after -> List.rev (name :: found)
     | _ -> []
   in
-  match String.split_on_char '`' hint with "did you mean " :: rest -> names rest | _ -> []
+  match String.split_on_char '`' hint with "did you mean " :: rest -> names [] rest | _ -> []
 
 let code_points s =
   let n = ref 0 in

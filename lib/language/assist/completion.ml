@@ -68,12 +68,33 @@ let next_behaviour t i =
     behaviours t @ names "channel" (channels t) @ names "feature" (features_at_hand t i) @ values t
   else fitting t i (behaviours t)
 
-(* The index of a process that is declared: a value, or a variable of a loop around it. *)
+(* The index of a process that is declared, or of a body within it (`c[i] : Cube`, `{c[i].top}`): a value, or a
+   variable of a loop around it. *)
 let declared_index t (i : Pieces.item) =
+  let w k = if k < i.stop then t.p.words.(k) else "" in
+  let rec closing k depth =
+    match w k with
+    | "" -> ""
+    | "[" -> closing (k + 1) (depth + 1)
+    | "]" -> if depth = 0 then w (k + 1) else closing (k + 1) (depth - 1)
+    | _ -> closing (k + 1) depth
+  in
+  (* within the brackets of a behaviour there are indices of its names alone *)
+  let rec nested j depth =
+    if j <= i.first then false
+    else
+      match w j with
+      | "]" | ")" | "}" -> nested (j - 1) (depth + 1)
+      | "[" | "(" | "{" -> depth = 0 || nested (j - 1) (depth - 1)
+      | _ -> nested (j - 1) depth
+  in
+  let is_index k =
+    k = i.first + 2 || (Pieces.is_name (w (k - 1)) && nested (k - 1) 0)
+    || (Pieces.is_name (w (k - 1)) && List.mem (closing (k + 1) 0) [ ":"; "." ]) in
   match (i.word, Pieces.bracket t.p) with
-  | ("process" | "fixed"), Some k when k = i.first + 2 && String.equal t.p.words.(k) "[" ->
+  | ("process" | "fixed"), Some k when k > i.first && String.equal (w k) "[" && is_index k ->
     let loops = List.filter (fun (l : Pieces.item) -> String.equal l.word "for" && l.first < i.first) t.p.items in
-    Some (values t @ names "value" (unique (List.concat_map (fun l -> Formula_places.integers t l) loops)))
+    Some (values t @ names "value" (unique (List.concat_map (Formula_places.integers t) loops)))
   | _ -> None
 
 let begins_behaviour t (i : Pieces.item) bracket =

@@ -108,7 +108,7 @@ let compared t =
     | _ -> opening (k + 1) depth
   in
   if List.mem (before 1) [ "="; "!=" ] && before 2 = ")" && opening 2 0 then
-    Some (List.map (with_head t) (names "behaviour" (named_behaviours t @ t.known.imported)) @ modules t)
+    Some (List.map (with_head t) (names "behaviour" (named_behaviours t @ imported t "behaviour")) @ modules t)
   else None
 
 (* What stands after a dot in a formula: what a module brings, a part of a body that is hit, a component. *)

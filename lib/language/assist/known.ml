@@ -9,6 +9,7 @@ type t = {
   wearers : (string, solid list) Hashtbl.t;
   shapes : string list;
   imported : string list;
+  imported_kinds : (string * string) list;
   values : string list;
   modules : (string * (string * string) list) list;
   channels : string list;
@@ -23,8 +24,8 @@ type t = {
 
 let empty =
   {
-    bodies = []; behaviours = []; shapes = []; imported = []; values = []; modules = []; channels = [];
-    features = Hashtbl.create 1; families = []; wearers = Hashtbl.create 1;
+    bodies = []; behaviours = []; shapes = []; imported = []; imported_kinds = []; values = []; modules = [];
+    channels = []; features = Hashtbl.create 1; families = []; wearers = Hashtbl.create 1;
     on = Hashtbl.create 1; members = []; groups = []; processes = []; network = None;
   }
 
@@ -71,6 +72,15 @@ let exported modules (d : Declared.t) =
         let one d = Option.map (fun kind -> (kind, d.Declared.name.it)) (kind_of d) in
         List.filter_map one (items (Lazy.force m.uses).all))
   | Some _ | None -> []
+
+let kind_of_import modules (d : Declared.t) =
+  let named original (e : Declared.t) = if String.equal e.name.it original then kind_of e else None in
+  match (d.kind, d.source) with
+  | Imported, Some (i, original) ->
+    let*? (m : Reading.t) = modules i in
+    let*? kind = List.find_map (named original) (items (Lazy.force m.uses).all) in
+    Some (d.name.it, kind)
+  | _ -> None
 
 (* What a behaviour is on. *)
 let declared_on (model : Ast.model) =
@@ -158,6 +168,7 @@ let of_text modules (r : Reading.t) =
     wearers = worn;
     shapes = List.map name templates;
     imported;
+    imported_kinds = List.filter_map (kind_of_import modules) all;
     values = List.map name (of_kind (function Parameter | Value -> true | _ -> false));
     modules = brought;
     channels = List.sort_uniq String.compare (Hashtbl.fold channel uses.channels []);

@@ -13,6 +13,7 @@ type t = private {
   (** the solids that behaviours are for, or of bodies that have them; of those as well that cannot be read *)
   shapes : string list;
   imported : string list;
+  imported_kinds : (string * string) list;  (** their kinds, as far as the imports can be read *)
   values : string list;
   modules : (string * (string * string) list) list;  (** qualifiers, with what they bring: kinds and names *)
   channels : string list;

@@ -91,7 +91,13 @@ let bodies t =
 let values t = names "value" (unique (declared t [ "param"; "let" ] @ t.known.values))
 let predefined () = entries Vocabulary.Solid Forms.Called
 let modules t = names "module" (List.map fst t.known.modules)
-let shapes t = names "shape" (unique (declared t [ "shape"; "compound" ] @ t.known.shapes @ t.known.imported))
+
+(* Of those that are chosen from imports, those of this kind, and those of which the kind is not known. *)
+let imported t kind =
+  let fits name = match List.assoc_opt name t.known.imported_kinds with None -> true | Some k -> k = kind in
+  List.filter fits t.known.imported
+
+let shapes t = names "shape" (unique (declared t [ "shape"; "compound" ] @ t.known.shapes @ imported t "shape"))
 let solids t = shapes t @ modules t @ predefined ()
 let named_behaviours t = unique (declared t [ "behaviour" ] @ t.known.behaviours)
 
@@ -99,7 +105,7 @@ let named_behaviours t = unique (declared t [ "behaviour" ] @ t.known.behaviours
 let with_head t o = { o with form = List.assoc_opt o.name t.known.families }
 
 let behaviours t =
-  List.map (with_head t) (names "behaviour" (named_behaviours t @ t.known.imported))
+  List.map (with_head t) (names "behaviour" (named_behaviours t @ imported t "behaviour"))
   @ modules t
   @ words [ "nil"; "omega"; "rho"; "eps" ]
 

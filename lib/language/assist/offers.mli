@@ -61,6 +61,9 @@ val predefined : unit -> offer list
 val modules : place -> offer list
 (** The names of imports. *)
 
+val imported : place -> string -> string list
+(** [imported t kind] is the names that the text chooses from imports which are of this kind, or may be. *)
+
 val shapes : place -> offer list
 (** Shapes and compounds of the text, and names that it chooses from imports. *)
 

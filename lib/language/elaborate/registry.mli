@@ -25,9 +25,6 @@ val declare_family : t -> Ast.name -> unit
 val find : t -> string -> target option
 (** The body, process or family of a printed name. *)
 
-val names : t -> string list
-(** All names, sorted. *)
-
 val hint : t -> ?also:string list -> string -> string option
 (** [hint t name] is a hint for a name that no body has. If a family has the name but not the indices, the hint
     lists members. Otherwise it suggests the nearest name, without indices, of [t] and [also]. *)

@@ -70,7 +70,8 @@ let completion =
     case "a dot after a body" (just "check c : always one." []);
     case "parts that are hit" (just "process two = D [nil]\ncheck c : event hit(two." [ "left"; "right" ]);
     case "a process in a loop"
-      (just "behaviour K on A = nil\nfor i in 1..2 { process two[i] = A mass 1 [" [ "K"; "nil"; "omega"; "rho"; "eps" ]);
+      (just "behaviour K on A = nil\nfor i in 1..2 { process two[i] = A mass 1 ["
+         [ "K"; "nil"; "omega"; "rho"; "eps" ]);
     case "no behaviour for another shape"
       (just "behaviour K on B = nil\nprocess two = A mass 1 [" [ "nil"; "omega"; "rho"; "eps" ]);
     case "behaviours of a module alone" (just "import \"parts.sc\" as m\nprocess two = A mass 1 [m." []);

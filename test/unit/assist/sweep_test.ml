@@ -141,7 +141,9 @@ let fitting () =
       &&
       match (tokens.(i - 1).token, t.token) with
       | (LPAREN | COMMA), (NAME _ | LETTER _) -> in_check t.start
-      | LBRACKET, (NAME _ | LETTER _) -> in_process t.start && i > 2 && tokens.(i - 3).token <> PROCESS
+      | LBRACKET, (NAME _ | LETTER _) -> 
+        let is_index = match tokens.(i + 2).token with COLON | DOT -> true | _ -> false in
+        in_process t.start && i > 2 && tokens.(i - 3).token <> PROCESS && not is_index
       | _ -> false
     in
     for i = 1 to Array.length tokens - 2 do
