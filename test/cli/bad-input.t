@@ -210,3 +210,29 @@ Names are shown so, too:
   $ scc fmt --check "wide$back.sc"
   wide<U+202E>.sc
   [1]
+
+A compound or a shape with an `=` before its bracket:
+
+  $ printf 'compound Wall(a) = { part a : box(1,1,1) mass 1 }\n' > braced.sc; scc check braced.sc 2>&1 | grep hint
+    hint: a compound has no `=` before `{`, as in `compound Wall { part a : SHAPE mass 1 }`
+  $ printf 'for i in 1..2 { let k = i }\nshape Wall(a) = {\n vertices a (0,0,0) }\n' > braced.sc; scc check braced.sc 2>&1 | grep hint
+    hint: a shape has no `=` before `{`, as in `shape Cube { vertices … faces … }`
+
+A mass that is missing, after faces and after a file:
+
+  $ faces='vertices a (0,0,0) b (1,0,0) c (0,1,0) d (0,0,1) faces f [a,c,b] g [a,b,d] h [a,d,c] i [b,c,d]'
+  $ printf 'compound W = decompose { %s }\nfixed p = W\n' "$faces" > faces.sc; scc check faces.sc 2>&1 | grep hint
+    hint: write `mass m` with m > 0 after the faces: its parts share it by their volumes
+  $ printf 'OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n' > four.off
+  $ printf 'compound W = decompose "four.off"\nfixed p = W\n' > file.sc; scc check file.sc 2>&1 | grep hint
+    hint: write `mass m` with m > 0 after the file: its parts share it by their volumes
+
+Too many behaviours, one by one and of a family that has no end:
+
+  $ (for i in $(seq 10050); do echo "behaviour B$i = eps(1). B$((i + 1))"; done; echo 'behaviour B10051 = nil'; echo 'process p = box(1,1,1) mass 1 [B1]') > chain.sc
+  $ scc check chain.sc 2>&1 | grep 'error\|hint'
+  chain.sc:10000:28: error[SC0111]: the model has more than 10000 behaviours: `B10001`
+  $ printf 'behaviour K[i] = eps(1). K[i+1]\nprocess p = box(1,1,1) mass 1 [K[0]]\n' > endless.sc
+  $ scc check endless.sc 2>&1 | grep 'error\|hint'
+  endless.sc:1:26: error[SC0111]: the model has more than 10000 instances of behaviours: `K[10000]`
+    hint: a family that asks for an instance of its own with ever other arguments has no end

@@ -71,6 +71,7 @@ Where one body is expected, the family is none, and a name that no loop declares
   bad.sc:13:19: error[SC0210]: `inh` is a family that has no members here; a bond joins two bodies
   $ refused 'check first : always x(inh[1]) = 0'
   bad.sc:13:24: error[SC0201]: unknown process `inh[1]`
+    hint: `inh` is a family that has no members here
   $ refused 'motion hin = inertial'
   bad.sc:13:8: error[SC0201]: unknown process `hin`
   $ refused 'check some : always count(q in stays: x(q) > 0) = 0'

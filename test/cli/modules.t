@@ -108,7 +108,7 @@ Faults are told where they are:
 
   $ sed -i 's/Key(f)/Key(f, g)/' parts/more/keys.sc
   $ scc check model.sc
-  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `keys.Key(left)`; declared is `keys.Key(_,_)`
+  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `Key(left)`; declared is `Key(_,_)`
      |
    4 | behaviour Left  = Key(left)
      |                   ^^^
@@ -120,7 +120,7 @@ Faults are told where they are:
    2 | process p = Cube mass 1 [nil]
      | ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
     hint: a module declares parameters, lets, shapes, compounds and behaviours; bodies, laws, checks and settings are the model's
-  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `keys.Key(left)`; declared is `keys.Key(_,_)`
+  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `Key(left)`; declared is `Key(_,_)`
      |
    4 | behaviour Left  = Key(left)
      |                   ^^^
@@ -135,11 +135,10 @@ Faults are told where they are:
      |
    1 | import "more/keys.sc" (Key)
      |                        ^^^
-  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `shapes.Key(left)`
+  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `Key(left)`
      |
    4 | behaviour Left  = Key(left)
      |                   ^^^
-    hint: did you mean `shapes.Left`?
   [3]
   $ rm parts/more/keys.sc
   $ scc check model.sc
@@ -147,11 +146,10 @@ Faults are told where they are:
      |
    1 | import "more/keys.sc" (Key)
      |        ^^^^^^^^^^^^^^
-  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `shapes.Key(left)`
+  parts/shapes.sc:4:19: error[SC0201]: unknown behaviour `Key(left)`
      |
    4 | behaviour Left  = Key(left)
      |                   ^^^
-    hint: did you mean `shapes.Left`?
   [3]
 
 Where a model comes as a text, its imports are files of the request, or of the library:
@@ -163,7 +161,7 @@ Where a model comes as a text, its imports are files of the request, or of the l
   > EOF
   $ scc oracle < ask.jsonl | cut -c 1-400
   {"jsonrpc":"2.0","id":1,"error":{"code":-32003,"message":"the model is refused: cannot read the import `a.sc`: it is not among the files of the request","data":{"diagnostics":[{"code":"SC0101","severity":"error","message":"cannot read the import `a.sc`: it is not among the files of the request","place":{"file":"<model>","start":{"offset":7,"line":1,"column":8},"end":{"offset":13,"line":1,"column":
-  {"jsonrpc":"2.0","id":2,"error":{"code":-32003,"message":"the model is refused: unknown template `a.bix(1,1,1)`","data":{"diagnostics":[{"code":"SC0201","severity":"error","message":"unknown template `a.bix(1,1,1)`","place":{"file":"a.sc","start":{"offset":10,"line":1,"column":11},"end":{"offset":13,"line":1,"column":14}},"notes":[],"hint":"did you mean `box`?"}]}}}
+  {"jsonrpc":"2.0","id":2,"error":{"code":-32003,"message":"the model is refused: unknown template `bix(1,1,1)`","data":{"diagnostics":[{"code":"SC0201","severity":"error","message":"unknown template `bix(1,1,1)`","place":{"file":"a.sc","start":{"offset":10,"line":1,"column":11},"end":{"offset":13,"line":1,"column":14}},"notes":[],"hint":"did you mean `box`?"}]}}}
   {"jsonrpc":"2.0","id":3,"result":{"model":"m1","digest":"md5:11c4479b2795fde47c396746b07937bc","name":null,"parameters":{},"settings":{},"rigid":false,"resolution":null,"leaves":[{"name":"p","shape":"a.A","fixed":false}],"checks":[],"warnings":[]}}
 
 A name that an import does not have: one like it, or what it has.
@@ -171,7 +169,7 @@ A name that an import does not have: one like it, or what it has.
   $ unknown() { printf '%s\nprocess p = %s mass 1 [nil]\n' "$1" "$2" > unknown.sc; scc check unknown.sc 2>&1 | grep 'error\|hint'; }
   $ unknown 'import <solids>' 'solids.Cuboid(1, 1, 1)'
   unknown.sc:2:20: error[SC0201]: unknown template `solids.Cuboid(1,1,1)`
-    hint: did you mean `solids.Cube`? `solids` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
+    hint: `solids` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
   $ unknown 'import <solids>' 'solids.Cub(1)'
   unknown.sc:2:20: error[SC0201]: unknown template `solids.Cub(1)`
     hint: did you mean `solids.Cube`? `solids` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
@@ -179,7 +177,7 @@ A name that an import does not have: one like it, or what it has.
   unknown.sc:2:13: error[SC0201]: no import is called `solids`
     hint: `import <solids>` is missing
   $ unknown 'import <solids> as s' 's.Cuboid(1, 1, 1)'
-  unknown.sc:2:15: error[SC0201]: unknown template `solids.Cuboid(1,1,1)`
+  unknown.sc:2:15: error[SC0201]: unknown template `s.Cuboid(1,1,1)`
     hint: `s` has `Chamfered`, `Cube`, `Dodecahedron`, `Icosahedron`, `Octahedron`, `Plank`, `Room`, `Tetrahedron`, `Wedge`
 
 Without the name of the import, and with one that is missing or has a typing error:
@@ -205,3 +203,26 @@ Without the name of the import, and with one that is missing or has a typing err
      |         ^^^^^
     hint: did you mean `solids`?
   [3]
+
+A module has no predefined names, whatever stands before; and a text is told of names as it writes them:
+
+  $ printf 'import <solids>\nprocess q = solids.Cube(1) mass 1 [nil]\nprocess p = solids.box(1,1,1) mass 1 at translate (9,0,0) [nil]\n' > leak.sc
+  $ scc check leak.sc
+  leak.sc:3:20: error[SC0201]: unknown template `solids.box(1,1,1)`
+     |
+   3 | process p = solids.box(1,1,1) mass 1 at translate (9,0,0) [nil]
+     |                    ^^^
+    hint: did you mean `box`? It needs no import
+  [3]
+  $ printf 'shape Cube = box(1,1,1)\nshape Wall(a) = Cub\nbehaviour K on Cube = <a, {topp}>. nil\n' > my-lib.sc
+  $ printf 'import "my-lib.sc" as lib\nprocess p = lib.box(1,1,1) mass 1 [nil]\nprocess q = lib.Cube(2) mass 1 [lib.L]\nprocess r = lib.Cube mass 1 [<a, {x}>. nil]\n' > hyphen.sc
+  $ scc check hyphen.sc 2>&1 | grep 'error\|hint'
+  hyphen.sc:2:17: error[SC0201]: unknown template `lib.box(1,1,1)`
+    hint: did you mean `box`? It needs no import
+  hyphen.sc:3:17: error[SC0201]: unknown template `lib.Cube(2)`; declared is `lib.Cube`
+  hyphen.sc:4:35: error[SC0203]: `lib.Cube` has no feature `x`
+    hint: did you mean `a`?
+  my-lib.sc:2:17: error[SC0201]: unknown template `Cub`
+    hint: did you mean `Cube`?
+  my-lib.sc:3:28: error[SC0203]: `Cube` has no feature `topp`
+    hint: did you mean `top`?

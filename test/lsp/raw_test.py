@@ -56,10 +56,30 @@ def framing(scc):
         ("params that are a number", b'{"jsonrpc":"2.0","id":1,"method":"initialize","params":3}', -32600),
         ("no UTF-8", b'{"jsonrpc":"2.0","id":1,"method":"\xff"}', -32700),
         ("deep JSON", b"[" * 100000, -32700),
+        ("an id that is a fraction", b'{"jsonrpc":"2.0","id":1.5,"method":"initialize"}', -32600),
+        ("half a surrogate pair", b'{"jsonrpc":"2.0","id":1,"method":"\\ud800"}', -32700),
+        ("no method, no result", b'{"jsonrpc":"2.0"}', -32600),
     ]:
         server.raw(b"Content-Length: %d\r\n\r\n%s" % (len(text), text))
         answer = server.next()
         check(what, code(answer) == wanted, answer)
+    for method in ["5", "null", "true", "[]", "{}", "1.5"]:
+        for id in ["77", '"a"']:
+            text = b'{"jsonrpc":"2.0","id":%s,"method":%s}' % (id.encode(), method.encode())
+            server.raw(b"Content-Length: %d\r\n\r\n%s" % (len(text), text))
+            answer = server.next()
+            check(f"the method {method}", code(answer) == -32600 and answer["id"] == json.loads(id), answer)
+    for text, words in [
+        (b"", "empty"),
+        (b'{"jsonrpc":"2.0","id":1.5,"method":"x"}', "neither an integer nor a text"),
+        (b'"\\ud800"', "surrogate"),
+        (b"[" * 201 + b"]" * 201, "cannot be read: values are nested deeper than 200"),
+        (b"9" * 30, "too many digits"),
+        (b"{", "this is not JSON"),
+    ]:
+        server.raw(b"Content-Length: %d\r\n\r\n%s" % (len(text), text))
+        answer = server.next()
+        check(f"the words of {words}", words in answer["error"]["message"], answer)
     check("a request before initialize", code(server.ask("textDocument/hover", {})) == -32002)
     server.notify("textDocument/didOpen", {})
     check("a piece of a header at a time", True)
@@ -127,14 +147,16 @@ def params(scc, folder):
         for place in [(-1, -1), (10**9, 10**9), (0, 10**15), (10**15, 0)]:
             answer = server.ask(f"textDocument/{method}", {"textDocument": document, "position": {"line": place[0], "character": place[1]}})
             check(f"{method} at {place}", "result" in answer or code(answer) == -32803, answer)
-    for name in ["if", "process", "", "two words", "9a", "a-b", "ā", "x" * 100000 + " ", "p\nq"]:
+    for name in ["if", "process", "", "two words", "9a", "_", "_a", "'a", "a-b", "ā", "x" * 100000 + " ", "p\nq"]:
         answer = server.ask("textDocument/rename", {"textDocument": document, "position": {"line": 1, "character": 9}, "newName": name})
         check(f"the name {name[:20]!r}", code(answer) == -32803, answer)
     for command, arguments in [("scc.unheard", []), ("scc.check", []), ("scc.check", [3]), ("scc.check", ["file:///none.sc"]), ("scc.showRun", [uri, 7])]:
         found = code(server.ask("workspace/executeCommand", {"command": command, "arguments": arguments}))
         check(f"{command} {arguments}", found == -32602, found)
     found = server.ask("workspace/executeCommand", {"command": "scc.check", "arguments": [uri, "none"]})
-    check("a check that is not there", code(found) == -32803 and "none" in found["error"]["message"], found)
+    check("a check that is not there", code(found) == -32803 and found["error"]["message"].startswith("the model has no check `none`"), found)
+    found = server.ask("workspace/executeCommand", {"command": "scc.showRun", "arguments": [uri, "none"]})
+    check("a run of a check that is not there", code(found) == -32803 and found["error"]["message"].startswith("the model has no check `none`"), found)
     # Notifications that make no sense are told in the log, and change nothing.
     for name, given in [
         ("textDocument/didChange", {"textDocument": {"uri": "file:///none.sc", "version": 2}, "contentChanges": []}),
@@ -157,6 +179,42 @@ def params(scc, folder):
     symbols = server.ask("textDocument/documentSymbol", {"textDocument": document})["result"]
     check("changes one after the other", [s["name"] for s in symbols] == ["Cube", "q", "c"], symbols)
     check("an unsaved file", server.end() == 0)
+
+
+def refusals(scc, folder):
+    """Words that say what is at fault: the text, what is asked for, or where it is written."""
+    def write(name, text):
+        with open(os.path.join(folder, name), "w") as file:
+            file.write(text)
+        return f"file://{folder}/{name}"
+
+    write("broken.sc", "shape Tile = box(1, 1, 1)\nshape Other = [\n")
+    main = write("uses.sc", "import \"broken.sc\" as b\nprocess p = b.Tile mass 1 [nil]\n")
+    small = write("pages.sc", SMALL)
+    place = os.environ.get("TMPDIR")
+    os.environ["TMPDIR"] = temporary = os.path.join(folder, "temporary")
+    os.makedirs(temporary, exist_ok=True)
+    server = Server(scc)
+    if place is None:
+        del os.environ["TMPDIR"]
+    else:
+        os.environ["TMPDIR"] = place
+    server.initialize()
+    server.open(main, open(main[7:]).read())
+    answer = server.ask("textDocument/rename", {"textDocument": {"uri": main}, "position": {"line": 1, "character": 15}, "newName": "Stone"})
+    check("an import with an error is named", code(answer) == -32803 and "broken.sc" in answer["error"]["message"], answer)
+    server.open(small, SMALL)
+    answer = server.ask("workspace/executeCommand", {"command": "scc.showRun", "arguments": [small]})
+    page = answer.get("result", {}).get("page", "")
+    check("a page", page.startswith("file://"), answer)
+    inner = os.path.dirname(page[7:])
+    # Nothing can be written to the folder of pages once it is not there.
+    os.remove(page[7:])
+    os.rmdir(inner)
+    answer = server.ask("workspace/executeCommand", {"command": "scc.showRun", "arguments": [small]})
+    words = answer.get("error", {}).get("message", "")
+    check("a page that cannot be written", code(answer) == -32803 and inner in words and "cannot write" in words and "cannot be read" not in words, answer)
+    check("the end after refusals", server.end() == 0)
 
 
 def cancelling(scc, folder):
@@ -258,6 +316,7 @@ if __name__ == "__main__":
     too_large(scc)
     endings(scc)
     params(scc, folder)
+    refusals(scc, folder)
     cancelling(scc, folder)
     files(scc, folder)
     print(f"{passed} passed, {failed} failed")

@@ -25,27 +25,29 @@ let compare a b =
       Stdlib.compare (a.severity : severity) b.severity <?> fun () ->
         String.compare a.code b.code <?> fun () -> String.compare a.message b.message
 
-(* Edit distance with adjacent transpositions; names are short. *)
+(* Edit distance with adjacent transpositions, times 100; names are short. A letter instead of another one costs
+   more than one that is missing by a hundredth: of two candidates at the same distance, that is nearer which has
+   more of the letters. *)
 let distance a b =
   let n = String.length a and m = String.length b in
   let d = Array.make_matrix (n + 1) (m + 1) 0 in
-  for i = 0 to n do d.(i).(0) <- i done;
-  for j = 0 to m do d.(0).(j) <- j done;
+  for i = 0 to n do d.(i).(0) <- 100 * i done;
+  for j = 0 to m do d.(0).(j) <- 100 * j done;
   for i = 1 to n do
     for j = 1 to m do
-      let cost = if a.[i - 1] = b.[j - 1] then 0 else 1 in
+      let cost = if a.[i - 1] = b.[j - 1] then 0 else 101 in
       let best =
-        min (d.(i - 1).(j) + 1) (min (d.(i).(j - 1) + 1) (d.(i - 1).(j - 1) + cost))
+        min (d.(i - 1).(j) + 100) (min (d.(i).(j - 1) + 100) (d.(i - 1).(j - 1) + cost))
       in
       d.(i).(j) <-
         (if i > 1 && j > 1 && a.[i - 1] = b.[j - 2] && a.[i - 2] = b.[j - 1] then
-           min best (d.(i - 2).(j - 2) + 1)
+           min best (d.(i - 2).(j - 2) + 100)
          else best)
     done
   done;
   d.(n).(m)
 
-let suggest name candidates =
+let nearest name candidates =
   let limit = max 1 (String.length name / 3) in
   let better best c =
     if String.length c > 64 || String.length name > 64 then best
@@ -53,14 +55,21 @@ let suggest name candidates =
       let k = distance name c in
       match best with
       | Some (k', _) when k' <= k -> best
-      | _ when k <= limit && k > 0 -> Some (k, c)
+      | _ when k / 100 <= limit && k > 0 -> Some (k, c)
       | _ -> best
   in
   List.fold_left better None candidates
-  |> Option.map (fun (_, c) -> Printf.sprintf "did you mean `%s`?" c)
+  |> Option.map snd
 
-let suggestion hint =
-  match String.split_on_char '`' hint with [ "did you mean "; name; "?" ] -> Some name | _ -> None
+let suggest name candidates = Option.map (Printf.sprintf "did you mean `%s`?") (nearest name candidates)
+
+let suggestions hint =
+  let rec names found = function
+    | name :: " or " :: rest -> names (name :: found) rest
+    | name :: after :: _ when String.starts_with ~prefix:"?" after -> List.rev (name :: found)
+    | _ -> []
+  in
+  match String.split_on_char '`' hint with "did you mean " :: rest -> names [] rest | _ -> []
 
 let code_points s =
   let n = ref 0 in

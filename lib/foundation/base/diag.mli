@@ -38,13 +38,18 @@ val is_error : t -> bool
 val compare : t -> t -> int
 (** The order by file and start of the span; then errors before warnings, then by code and message. *)
 
+val nearest : string -> string list -> string option
+(** [nearest name candidates] is the candidate that {!suggest} suggests. *)
+
 val suggest : string -> string list -> string option
 (** [suggest name candidates] is the hint ["did you mean `c`?"] for the candidate nearest to [name]. Its edit
-    distance must be that of a likely slip: at most a third of the length of [name], or 1. Names of more than 64
-    bytes get no hint. *)
+    distance must be that of a likely slip: at most a third of the length of [name], or 1. Of candidates at one
+    distance, one that lacks a letter or has one more is nearer than one with another letter. Names of more than
+    64 bytes get no hint. *)
 
-val suggestion : string -> string option
-(** [suggestion hint] is the name that a hint of {!suggest} suggests, and [None] for any other hint. *)
+val suggestions : string -> string list
+(** [suggestions hint] is the names that a hint suggests which begins as one of {!suggest}: ["did you mean `a`?"],
+    or ["did you mean `a` or `b`?"]. It is [[]] for any other hint. *)
 
 val render : source:(string -> Source.t option) -> t -> string
 (** [render ~source d] is the text of [d] for people, of several lines that each end with a newline. It has the

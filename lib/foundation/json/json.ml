@@ -189,6 +189,18 @@ let fault_line message =
   try Scanf.sscanf message "Line %d," (fun l -> Some l)
   with Scanf.Scan_failure _ | End_of_file | Failure _ -> None
 
+(* Two faults are of JSON that no value can hold. *)
+let fault message =
+  let n = String.length message in
+  let has part =
+    let m = String.length part in
+    let rec at i = i + m <= n && (String.equal (String.sub message i m) part || at (i + 1)) in
+    at 0
+  in
+  if has ":\nInt overflow" then "an integer has too many digits"
+  else if has " low surrogate for code point" then "half of a surrogate pair stands alone, and is no character"
+  else "this is not JSON"
+
 let rec line_start s from n =
   if n <= 1 then from
   else
@@ -206,7 +218,7 @@ let parse_line source ~start ~stop =
     | json -> Ok json
     | exception Yojson.Json_error message ->
       let at = match fault_line message with Some l -> line_start s start l | None -> start in
-      Error (Diag.error Code.bad_schedule (span at (at + 1)) "this is not JSON")
+      Error (Diag.error Code.bad_schedule (span at (at + 1)) "%s" (fault message))
 
 let parse source =
   let s = Source.text source in

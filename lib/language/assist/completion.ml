@@ -1,190 +1,9 @@
-open Scc_syntax
 open Scc_describe
+open Offers
 
-type offer = { name : string; kind : string; form : string option; about : string option }
-
-let unique names =
-  let seen : (string, unit) Hashtbl.t = Hashtbl.create 64 in
-  let is_new name =
-    let known = Hashtbl.mem seen name in
-    if not known then Hashtbl.add seen name ();
-    not known
-  in
-  List.filter is_new names
-
-(* {1 Words} *)
-
-let beginning =
-  [
-    "behaviour"; "binding"; "blocked"; "bond"; "bonds"; "check"; "collisions"; "compound"; "dynamics"; "fixed";
-    "for"; "import"; "let"; "model"; "motion"; "network"; "param"; "process"; "resolution"; "round"; "shape";
-    "split_step"; "timestep";
-  ]
-
-let attributes = [ "at"; "mass"; "velocity"; "spin"; "translate"; "rotate"; "scale"; "scaled"; "absorb" ]
-
-let temporal =
-  [
-    "always"; "eventually"; "possibly"; "AG"; "AF"; "EF"; "EG"; "A"; "E"; "P"; "Pmin"; "Pmax"; "forall"; "exists";
-    "not";
-  ]
-
-let names kind = List.map (fun name -> { name; kind; form = None; about = None })
-
-let meaning categories name =
-  List.find_map (fun c -> Vocabulary.find c name) categories
-  |> Option.map (fun (e : Vocabulary.entry) -> e.meaning)
-
-let all_categories = [ Vocabulary.Word; Setting; Solid; Function; Atom; Law; Event; Measure; Component ]
-
-let word ?(categories = all_categories) form name =
-  let first forms = match forms with f :: _ -> Some f | [] -> None in
-  { name; kind = "word"; form = Option.bind (Forms.find form name) first; about = meaning categories name }
-
-let words = List.map (word Forms.Written)
-let of_category category = List.filter (fun (e : Vocabulary.entry) -> e.category = category) Vocabulary.all
-
-let entries category form =
-  let offer (e : Vocabulary.entry) = { (word ~categories:[ category ] form e.word) with kind = e.kind } in
-  List.map offer (of_category category)
-
-let keywords () = words (List.filter (fun w -> String.length w > 1) (List.map fst Lexer.words))
-
-(* {1 What the text declares} *)
-
-type place = { known : Known.t; p : Pieces.t; item : Pieces.item option }
-
-(* Those of the window are there even if the text could not be read since. *)
-let declared t kinds =
-  let of_kind (i : Pieces.item) = List.mem i.word kinds && i.name <> "" in
-  List.filter_map (fun (i : Pieces.item) -> if of_kind i then Some i.name else None) t.p.items
-
-let is_channel (w : string array) i =
-  let at k = if i - k >= 0 then w.(i - k) else "" in
-  let next = if i + 1 < Array.length w then w.(i + 1) else "" in
-  let opened =
-    at 1 = "<" || (at 1 = "~" && at 2 = "<") || (at 1 = "(" && at 2 = "omega")
-    || (at 1 = "~" && at 2 = "(" && at 3 = "omega")
-  in
-  Pieces.is_name w.(i) && ((opened && next = ",") || (at 1 = "~" && at 2 = "<"))
-
-let channels t =
-  let found = List.filteri (fun i _ -> is_channel t.p.words i) (Array.to_list t.p.words) in
-  unique (found @ t.known.channels)
-
-(* The bodies of a process that are named: `a : Cube`, `a[i] : Cube`. *)
-let leaves t (i : Pieces.item) =
-  let w k = if k < i.stop then t.p.words.(k) else "" in
-  let rec after k = if k >= i.stop then "" else if w k = "]" then w (k + 1) else after (k + 1) in
-  let named k =
-    Pieces.is_name (w k) && match w (k + 1) with ":" -> true | "[" -> after k = ":" | _ -> false
-  in
-  if not (List.mem i.word [ "process"; "fixed" ]) then []
-  else
-    let after_name = List.init (Int.max 0 (i.stop - i.first - 2)) (fun k -> i.first + 2 + k) in
-    List.filter_map (fun k -> if named k then Some (w k) else None) after_name
-
-let bodies t =
-  let near = declared t [ "process"; "fixed" ] @ List.concat_map (leaves t) t.p.items in
-  names "body" (unique (near @ List.map fst t.known.bodies))
-
-let values t = names "value" (unique (declared t [ "param"; "let" ] @ t.known.values))
-let predefined () = entries Vocabulary.Solid Forms.Called
-let modules t = names "module" (List.map fst t.known.modules)
-let shapes t = names "shape" (unique (declared t [ "shape"; "compound" ] @ t.known.shapes @ t.known.imported))
-let solids t = shapes t @ modules t @ predefined ()
-let named_behaviours t = unique (declared t [ "behaviour" ] @ t.known.behaviours)
-
-let behaviours t =
-  names "behaviour" (named_behaviours t @ t.known.imported)
-  @ modules t
-  @ words [ "nil"; "omega"; "rho"; "eps" ]
-
-(* {1 The shape at hand} *)
-
-let integer text = match int_of_string_opt text with Some n when n >= 0 -> Some n | _ -> None
-
-(* The solid that begins at a word: `box(…)`, `Cube`, `m.Cube`. *)
-let solid_at t (i : Pieces.item) k : Known.solid list =
-  let w j = if j < i.stop then t.p.words.(j) else "" in
-  let qualifier, name, next = if w (k + 1) = "." then (Some (w k), w (k + 2), k + 3) else (None, w k, k + 1) in
-  let corners = if w next = "(" then integer (w (next + 1)) else None in
-  if Pieces.is_name name then [ { qualifier; name; corners } ] else []
-
-let solids_of_body t (i : Pieces.item) =
-  let depth = ref 0 and found = ref [] in
-  for k = i.first to i.stop - 1 do
-    match t.p.words.(k) with
-    | "[" | "{" | "(" -> incr depth
-    | "]" | "}" | ")" -> decr depth
-    | ("=" | ":") when !depth = 0 || i.word = "compound" -> found := solid_at t i (k + 1) @ !found
-    | _ -> ()
-  done;
-  List.rev !found
-
-let features_of t = List.concat_map (Known.features t.known)
-
-(* Of a behaviour, those of what it is on, or of the bodies that have it. *)
-let features_at_hand t (i : Pieces.item) =
-  let w = t.p.words in
-  let rec on k = if k >= i.stop || w.(k) = "=" then None else if w.(k) = "on" then Some k else on (k + 1) in
-  let found =
-    if i.word <> "behaviour" then features_of t (solids_of_body t i)
-    else
-      match (on i.first, Hashtbl.find_opt t.known.wearers i.name) with
-      | Some k, _ -> features_of t (solid_at t i (k + 1))
-      | None, Some wearers -> features_of t wearers
-      | None, None -> []
-  in
-  match unique found with [] -> Known.all_features t.known | found -> found
-
-let solid_of_leaf t (i : Pieces.item) name =
-  let w k = if k < i.stop then t.p.words.(k) else "" in
-  let labelled k = w k = name && (w (k + 1) = ":" || w (k + 1) = "[") in
-  let rec colon k = if k >= i.stop then None else if w k = ":" then Some k else colon (k + 1) in
-  let rec find k = if k >= i.stop then None else if labelled k then colon k else find (k + 1) in
-  match find (i.first + 2) with Some k -> solid_at t i (k + 1) | None -> []
-
-(* The features of a part, or of a body. *)
-let inside t name (i : Pieces.item) =
-  let prefix = name ^ "." in
-  let n = String.length prefix in
-  let begins f = String.length f > n && String.sub f 0 n = prefix in
-  match List.filter begins (features_at_hand t i) with
-  | _ :: _ as parts -> List.map (fun f -> String.sub f n (String.length f - n)) parts
-  | [] -> (
-      match (solid_of_leaf t i name, List.assoc_opt name t.known.bodies) with
-      | (_ :: _ as own), _ -> features_of t own
-      | [], Some (Some s) -> Known.features t.known s
-      | [], (Some None | None) -> [])
+type offer = Offers.offer = { name : string; kind : string; form : string option; about : string option }
 
 (* {1 What fits} *)
-
-(* Whose something stands after the dot: `q` of `q.`, and of `q[i].` *)
-let owner t =
-  if Pieces.before t.p 2 <> "]" then Pieces.before t.p 2
-  else
-    let rec back k =
-      match Pieces.before t.p k with
-      | "" -> ""
-      | "[" -> Pieces.before t.p (k + 1)
-      | _ -> back (k + 1)
-    in
-    back 3
-
-let exported t name =
-  match List.assoc_opt name t.known.modules with
-  | None -> []
-  | Some found -> List.concat_map (fun (kind, n) -> names kind [ n ]) found
-
-let after_dot t (i : Pieces.item) =
-  let name = owner t in
-  match exported t name with
-  | _ :: _ as found -> found
-  | [] -> (
-      match inside t name i with
-      | _ :: _ as found -> names "feature" found
-      | [] -> entries Vocabulary.Component Forms.Called)
 
 let formula t =
   bodies t @ values t
@@ -222,15 +41,61 @@ let of_behaviour t (i : Pieces.item) =
   else if last = "," && bracket_word <> "{" && List.mem (Pieces.before t.p 3) [ "<"; "~" ] then Some []
   else None
 
-(* After a dot in a behaviour there is another one, or what a module brings; after a bracket, perhaps an
-   argument. *)
+(* Behaviours that are declared on a template with other features than those of the process do not fit. *)
+let fitting t (i : Pieces.item) found =
+  let of_process = match i.word with "process" | "fixed" -> solids_of_body t i | _ -> [] in
+  let features s = List.sort String.compare (Known.features t.known s) in
+  let fits o =
+    match Hashtbl.find_opt t.known.on o.name with
+    | Some s when of_process <> [] ->
+      List.exists (fun own -> List.equal String.equal (features own) (features s)) of_process
+    | _ -> true
+  in
+  List.filter fits found
+
+(* After a dot in a behaviour there is another one, or what a module brings; after the bracket of a family, perhaps
+   an argument; after that of `eps` or `push`, a number. *)
 let next_behaviour t i =
   let last = Pieces.before t.p 1 in
-  match if String.equal last "." then exported t (owner t) else [] with
-  | _ :: _ as found -> found
-  | [] when List.mem last [ "("; "," ] ->
+  let called =
+    match Pieces.bracket t.p with Some k when k > 0 && t.p.words.(k) = "(" -> t.p.words.(k - 1) | _ -> ""
+  in
+  let is_module = String.equal last "." && List.mem_assoc (owner t) t.known.modules in
+  if is_module then exported ~only:(String.equal "behaviour") t (owner t)
+  else if List.mem last [ "("; "," ] && List.mem called [ "eps"; "push" ] then
+    values t @ entries Vocabulary.Function Forms.Called
+  else if List.mem last [ "("; "," ] && Pieces.is_name called then
     behaviours t @ names "channel" (channels t) @ names "feature" (features_at_hand t i) @ values t
-  | [] -> behaviours t
+  else fitting t i (behaviours t)
+
+(* The index of a process that is declared, or of a body within it (`c[i] : Cube`, `{c[i].top}`): a value, or a
+   variable of a loop around it. *)
+let declared_index t (i : Pieces.item) =
+  let w k = if k < i.stop then t.p.words.(k) else "" in
+  let rec closing k depth =
+    match w k with
+    | "" -> ""
+    | "[" -> closing (k + 1) (depth + 1)
+    | "]" -> if depth = 0 then w (k + 1) else closing (k + 1) (depth - 1)
+    | _ -> closing (k + 1) depth
+  in
+  (* within the brackets of a behaviour there are indices of its names alone *)
+  let rec nested j depth =
+    if j <= i.first then false
+    else
+      match w j with
+      | "]" | ")" | "}" -> nested (j - 1) (depth + 1)
+      | "[" | "(" | "{" -> depth = 0 || nested (j - 1) (depth - 1)
+      | _ -> nested (j - 1) depth
+  in
+  let is_index k =
+    k = i.first + 2 || (Pieces.is_name (w (k - 1)) && nested (k - 1) 0)
+    || (Pieces.is_name (w (k - 1)) && List.mem (closing (k + 1) 0) [ ":"; "." ]) in
+  match (i.word, Pieces.bracket t.p) with
+  | ("process" | "fixed"), Some k when k > i.first && String.equal (w k) "[" && is_index k ->
+    let loops = List.filter (fun (l : Pieces.item) -> String.equal l.word "for" && l.first < i.first) t.p.items in
+    Some (values t @ names "value" (unique (List.concat_map (Formula_places.integers t) loops)))
+  | _ -> None
 
 let begins_behaviour t (i : Pieces.item) bracket =
   let has_equals () = Array.exists (String.equal "=") (Array.sub t.p.words i.first (t.p.count - i.first)) in
@@ -260,8 +125,14 @@ let of_item t (i : Pieces.item) =
   let last = Pieces.before t.p 1 in
   let bracket = Option.fold ~none:"" ~some:(fun k -> t.p.words.(k)) (Pieces.bracket t.p) in
   let is_open = bracket <> "" and after_operator = List.mem last operators in
-  let in_features = match i.word with "behaviour" | "process" | "fixed" | "bond" -> of_behaviour t i | _ -> None in
-  match (in_features, i.word, last) with
+  let special =
+    match i.word with
+    | "behaviour" | "process" | "fixed" | "bond" -> (
+        match of_behaviour t i with None -> declared_index t i | found -> found)
+    | "check" -> Formula_places.offers t i
+    | _ -> None
+  in
+  match (special, i.word, last) with
   | Some found, _, _ -> found
   | None, _, _ when begins_behaviour t i bracket -> next_behaviour t i
   | None, _, "." -> after_dot t i

@@ -5,7 +5,8 @@ type offer = {
   name : string;  (** what is written *)
   kind : string;
   (** ["channel"], ["feature"], ["body"], ["shape"], ["behaviour"], ["value"], ["module"], ["word"], … *)
-  form : string option;  (** of a word: how it is used, with names in capitals for what is to be put in *)
+  form : string option;
+  (** of a word: how it is used, with names in capitals for what is to be put in; of a family: as it is declared *)
   about : string option;  (** of a word: what it means *)
 }
 

@@ -28,22 +28,46 @@ let find_word text word =
   in
   find 0
 
-(* The name that is meant is somewhere in the place, which may be a whole path. *)
+(* Without indices and arguments: they stay as they are written. *)
+let bare name =
+  let rec stop i = if i < String.length name && name.[i] <> '[' && name.[i] <> '(' then stop (i + 1) else i in
+  String.sub name 0 (stop 0)
+
+(* Without the import `m` of `m.Cube`. *)
+let unqualified name =
+  match String.index_opt name '.' with
+  | Some i -> Some (String.sub name 0 (i + 1), String.sub name (i + 1) (String.length name - i - 1))
+  | None -> None
+
+(* Where the wrong name stands in the place, which may be a whole path, and what is put there. The place of `m.Cub`
+   may be that of `Cub` alone. *)
+let places (r : Reading.t) (d : Diag.t) name =
+  let text = slice r d.span in
+  let within word put = Option.map (fun i -> (i, i + String.length word, put)) (find_word text word) in
+  let without_import m wrong =
+    let start = d.span.start - String.length m in
+    let written = start >= 0 && String.equal (String.sub (Source.text r.source) start (String.length m)) m in
+    if written && String.equal text wrong then Some (-String.length m, String.length wrong, name) else None
+  in
+  let of_word word =
+    match (within word name, unqualified word, unqualified name) with
+    | (Some _ as found), _, _ -> found
+    | None, Some (m, wrong), Some (m', right) when String.equal m m' -> within wrong right
+    | None, Some (m, wrong), None -> without_import m wrong
+    | None, _, _ -> None
+  in
+  let plain = text <> "" && not (String.exists (fun c -> String.contains " .[](){}<>," c) text) in
+  match List.find_map of_word (List.map bare (quoted d.message)) with
+  | Some _ as found -> found
+  | None -> if plain && not (String.equal text name) then Some (0, String.length text, name) else None
+
 let misspelt r (d : Diag.t) =
-  match Option.bind d.hint Diag.suggestion with
-  | None -> []
-  | Some name ->
-    let text = slice r d.span in
-    let within =
-      let found word = Option.map (fun i -> (i, word)) (find_word text word) in
-      match List.find_map found (quoted d.message) with
-      | Some (i, word) -> Some (d.span.start + i, d.span.start + i + String.length word)
-      | None -> if String.contains text ' ' || text = "" then None else Some (d.span.start, d.span.stop)
-    in
-    let change (start, stop) =
-      { title = Printf.sprintf "replace by `%s`" name; edits = [ (place d.span start stop, name) ] }
-    in
-    Option.to_list (Option.map change within)
+  let change (start, stop, put) =
+    let at = place d.span (d.span.start + start) (d.span.start + stop) in
+    { title = Printf.sprintf "replace by `%s`" put; edits = [ (at, put) ] }
+  in
+  let fix name = Option.map change (places r d name) in
+  List.filter_map fix (Option.fold ~none:[] ~some:Diag.suggestions d.hint)
 
 (* {1 Syntax} *)
 
@@ -103,3 +127,13 @@ let unseen (d : Diag.t) =
 let of_diagnostic r (d : Diag.t) =
   if not (String.equal d.span.file (Source.name r.Reading.source)) then []
   else misspelt r d @ product d @ one_word r d @ unused r d @ unseen d
+
+let same_edit (((a : Span.t), put) : Rename.edit) (((b : Span.t), put') : Rename.edit) =
+  Span.equal a b && String.equal put put'
+
+let of_diagnostics r found =
+  let add all (d, f) =
+    if List.exists (fun (_, g) -> List.equal same_edit f.edits g.edits) all then all else (d, f) :: all
+  in
+  let all d = List.map (fun f -> (d, f)) (of_diagnostic r d) in
+  List.rev (List.fold_left add [] (List.concat_map all found))

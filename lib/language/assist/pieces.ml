@@ -14,12 +14,14 @@ let begins = function
   | "timestep" | "network" | "blocked" -> true
   | _ -> false
 
-(* `bonds(rope)` and `<bond, …>` begin nothing, nor does a loop within a choice. *)
+(* `bonds(rope)`, `<bond, …>` and `{bond, …}` begin nothing, nor does a loop within a choice. What stands in a loop
+   begins after its bracket. *)
 let begins_at words i =
   let next = if i + 1 < Array.length words then words.(i + 1) else "" in
   let before = if i > 0 then words.(i - 1) else "" in
   begins words.(i)
-  && (not (List.mem before [ "<"; "~"; ","; "("; "."; "{" ]))
+  && (not (List.mem before [ "<"; "~"; ","; "("; "." ]))
+  && (not (String.equal before "{") || is_name next || String.equal next "<")
   && (match words.(i) with
       | "bond" -> String.equal next "<"
       | "for" -> is_name next && not (List.mem before [ "choose"; "," ])

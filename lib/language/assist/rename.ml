@@ -21,10 +21,14 @@ let apply text edits =
 
 let name_fault name =
   let no_name =
-    Some (Printf.sprintf "`%s` is no name: a name is a letter, and letters, digits, `_` and `'` after it" name)
+    let rule = "a name is an ASCII letter, and letters, digits, `_` and `'` after it" in
+    Some (Printf.sprintf "`%s` is no name: %s" name rule)
   in
+  let begins = name <> "" && match name.[0] with 'a' .. 'z' | 'A' .. 'Z' -> true | _ -> false in
   match (Tokens.read (Source.make ~name:"name" name)).tokens with
-  | [| { token = NAME n; start = 0; stop; _ }; _ |] when String.equal n name && stop = String.length name -> None
+  | [| { token = NAME n; start = 0; stop; _ }; _ |] 
+    when begins && String.equal n name && stop = String.length name ->
+    None
   | [| { token = BARRED _ | NUMBER _ | STRING _; _ }; _ |] | [||] | [| _ |] ->
     no_name
   | [| { start = 0; stop; _ }; _ |] when stop = String.length name && Tokens.is_word name ->

@@ -71,7 +71,8 @@ let fits t (declared : Program.behaviour) label env owner at =
       | Some shape when Int.equal (Shape.structure shape) (Shape.structure owner.shape) -> true
       | Some shape ->
         Report.error t.c.report Code.wrong_template at "`%s` is a behaviour on `%s`, and `%s` is a `%s`"
-          label (Shape.label shape) owner.name (Shape.label owner.shape)
+          (Env.said t.c.root label) (Env.said t.c.root (Shape.label shape)) owner.name
+          (Env.said t.c.root (Shape.label owner.shape))
           ~notes:[ (template.target.at, "it says so here") ];
         false)
 
@@ -96,10 +97,15 @@ let request_instance t owner at (declared : Program.behaviour) label env =
     match Hashtbl.find_opt t.index key with
     | Some i -> Some i
     | None when t.count >= max_definitions ->
+      let hint =
+        match declared.formals with
+        | [] -> None
+        | _ :: _ -> Some "a family that asks for an instance of its own with ever other arguments has no end"
+      in
       if not t.overflow then
-        Report.error t.c.report Code.too_deep at "the model has more than %d instances of behaviours: `%s`"
-          max_definitions label
-          ~hint:"a family that asks for an instance of its own with ever other arguments has no end";
+        Report.error t.c.report Code.too_deep at "the model has more than %d %s: `%s`" max_definitions
+          (if Option.is_none hint then "behaviours" else "instances of behaviours")
+          (Env.said t.c.root label) ?hint;
       t.overflow <- true;
       None
     | None -> Some (enter t declared label env owner key)
@@ -290,7 +296,8 @@ let check_private t entries =
     | None -> ()
     | Some (entry, p) ->
       Report.error t.c.report Code.unknown_feature at
-        "`%s` names features of `%s`, and cannot be the behaviour of `%s`" entry.label p name
+        "`%s` names features of `%s`, and cannot be the behaviour of `%s`"
+        (Env.said t.c.root entry.label) p name
         ~hint:"name the features alone, without the process"
   in
   if Array.exists (fun e -> Option.is_some e.private_to) entries then
@@ -299,8 +306,8 @@ let check_private t entries =
 
 let in_order (a : Program.behaviour) (b : Program.behaviour) = Int.compare a.name.at.start b.name.at.start
 
-let unguarded_at t (at : Span.t) label =
-  Report.error t.c.report Code.unguarded at "the recursion of `%s` is not guarded" label
+let unguarded_at t (b : Program.behaviour) label =
+  Report.error t.c.report Code.unguarded b.name.at "the recursion of `%s` is not guarded" (Env.said b.env label)
     ~hint:"between a name and its recurrence there must be a channel, a split or a positive delay"
 
 (* {2 What nothing uses}
@@ -363,7 +370,7 @@ let read_unused t =
     match (b.on, Option.bind b.on (Templates.find t.c env)) with
     | None, _ ->
       check_names t env b.body;
-      if reaches_itself t b then unguarded_at t b.name.at b.label
+      if reaches_itself t b then unguarded_at t b b.label
     | Some _, None -> check_names t env b.body
     | Some _, Some shape ->
       ignore (request_instance t { name = ""; shape } b.name.at b b.label env);
@@ -373,7 +380,7 @@ let read_unused t =
 
 let check_guarded t entries definitions =
   List.iter
-    (fun i -> unguarded_at t entries.(i).declared.name.at entries.(i).label)
+    (fun i -> unguarded_at t entries.(i).declared entries.(i).label)
     (Behaviour.unguarded ~may_be_zero:(Ranges.may_be_zero t.program.ranges) definitions)
 
 let seal t =

@@ -16,8 +16,7 @@ let find report (bodies : Bodies.t) (name, at) =
   match Registry.find bodies.registry name with
   | Some target -> Some target
   | None ->
-    Report.error report Code.unknown_name at "unknown process `%s`" name
-      ~near:(name, fun () -> Registry.names bodies.registry);
+    Registry.unknown bodies.registry report at name;
     None
 
 (* {1 network} *)

@@ -4,7 +4,7 @@ open Scc_geometry
 open Scc_broad_phase
 open Scc_syntax
 
-type template = { shape : Shape.t option; span : Span.t; own : bool; mutable used : bool }
+type template = { shape : Shape.t option; span : Span.t; own : bool; declared : bool; mutable used : bool }
 
 type family = {
   head : Family.head;
@@ -25,6 +25,7 @@ type t = {
   report : Report.t;
   read_file : string -> (string, string) result;
   templates : (string, template) Hashtbl.t;
+  made : (string, Shape.t option) Hashtbl.t;
   families : (string, family) Hashtbl.t;
   sources : (string, source) Hashtbl.t;
   mutable nesting : int;
@@ -90,6 +91,7 @@ let create ~read_file =
     report = Report.create ();
     read_file;
     templates = Hashtbl.create 16;
+    made = Hashtbl.create 16;
     families = Hashtbl.create 16;
     sources = Hashtbl.create 16;
     nesting = 0;
@@ -107,7 +109,7 @@ let copy c =
   let templates = Hashtbl.copy c.templates and families = Hashtbl.copy c.families in
   Hashtbl.filter_map_inplace (fun _ (t : template) -> Some { t with used = t.used }) templates;
   Hashtbl.filter_map_inplace (fun _ f -> Some { f with instances = f.instances }) families;
-  { c with report; templates; families }
+  { c with report; templates; families; made = Hashtbl.copy c.made }
 
 let mark_used c ~by =
   let mark name (t : template) =
@@ -115,4 +117,6 @@ let mark_used c ~by =
   in
   Hashtbl.iter mark by.templates
 
-let template_names c = List.sort String.compare (Family.keys c.templates @ Family.keys c.families)
+let template_names c =
+  let declared name (t : template) all = if t.declared then name :: all else all in
+  List.sort String.compare (Hashtbl.fold declared c.templates (Family.keys c.families))

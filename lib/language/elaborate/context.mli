@@ -10,6 +10,7 @@ type template = {
   shape : Shape.t option;  (** [None] when its faults have been reported *)
   span : Span.t;  (** of its name *)
   own : bool;  (** declared by the model, and not by what it imports *)
+  declared : bool;  (** written so, and no instance of a family *)
   mutable used : bool;
 }
 
@@ -34,6 +35,8 @@ type t = {
   report : Report.t;
   read_file : string -> (string, string) result;
   templates : (string, template) Hashtbl.t;  (** by their global names, and instances by their labels *)
+  made : (string, Shape.t option) Hashtbl.t;
+  (** predefined solids by their labels, such as [box(1,2,3)], which are of no text *)
   families : (string, family) Hashtbl.t;  (** by keys *)
   sources : (string, source) Hashtbl.t;  (** by keys; no compounds *)
   mutable nesting : int;  (** the number of instances that are being made, one within another *)
@@ -59,4 +62,4 @@ val mark_used : t -> by:t -> unit
 (** [mark_used c ~by] marks the templates of [c] that are used in [by]. *)
 
 val template_names : t -> string list
-(** The keys of all templates and families of templates, sorted. *)
+(** The keys of all templates and families of templates that are declared, sorted; no instances. *)

@@ -92,7 +92,7 @@ let parts (c : Context.t) solid set =
     None
 
 (* Everything that the attributes must say, and must not. *)
-let checked (c : Context.t) at (a : Attributes.t) =
+let checked (c : Context.t) at solid (a : Attributes.t) =
   Option.iter
     (fun at ->
        Report.error c.report Code.bad_absorber at "a compound absorbs nothing by itself"
@@ -101,7 +101,9 @@ let checked (c : Context.t) at (a : Attributes.t) =
   match a.mass with
   | None ->
     Report.error c.report Code.bad_value at "this compound has no mass"
-      ~hint:"write `mass m` with m > 0 after the file: its parts share it by their volumes";
+      ~hint:
+        (Printf.sprintf "write `mass m` with m > 0 after the %s: its parts share it by their volumes"
+           (if Option.is_some (file solid) then "file" else "faces"));
     None
   | Some (mass, _) -> if a.complete && Option.is_none a.absorb then Some mass else None
 
@@ -133,7 +135,7 @@ let compound (c : Context.t) at label (drawn : Parts.t) (a : Attributes.t) mass 
 let make (c : Context.t) at (solid : Ast.solid) attributes env label =
   let set = read c env solid in
   let a = Attributes.read c.report env attributes in
-  let mass = checked c at a in
+  let mass = checked c at solid a in
   let*? set = set in
   if too_fine c solid.at set then None
   else

@@ -66,6 +66,26 @@ let global env qualifier name =
       | None -> Some (env.scope.prefix ^ name))
   | Some q -> Option.map (fun m -> m.prefix ^ name) (Hashtbl.find_opt env.scope.modules q)
 
+let after prefix name =
+  let n = String.length prefix in
+  if String.starts_with ~prefix name then Some (String.sub name n (String.length name - n)) else None
+
+let written env name =
+  let { prefix; chosen; modules; _ } = env.scope in
+  let own = if String.equal prefix "" && String.contains name '.' then None else after prefix name in
+  let by_module q m = Option.map (fun rest -> q ^ "." ^ rest) (after m.prefix name) in
+  let add found all = Option.fold ~none:all ~some:(fun n -> n :: all) found in
+  let chosen = Hashtbl.fold (fun n global all -> if String.equal global name then n :: all else all) chosen [] in
+  let qualified = Hashtbl.fold (fun q m all -> add (by_module q m) all) modules [] in
+  let first = List.sort String.compare in
+  List.nth_opt (first chosen @ add own (first qualified)) 0
+
+let said env label =
+  let rec stop i = if i < String.length label && label.[i] <> '(' && label.[i] <> '[' then stop (i + 1) else i in
+  let n = stop 0 in
+  let name = String.sub label 0 n in
+  Option.value ~default:name (written env name) ^ String.sub label n (String.length label - n)
+
 let is_missing env qualifier =
   match Hashtbl.find_opt env.scope.modules qualifier with Some m -> m.missing | None -> false
 

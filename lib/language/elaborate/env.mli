@@ -67,6 +67,14 @@ val global : t -> string option -> string -> string option
 (** [global env qualifier name] is the global name of a shape or behaviour. It is [None] if the qualifier is
     unknown; there need not be a declaration of that name. *)
 
+val written : t -> string -> string option
+(** [written env name] is how the text writes the shape or behaviour with this global name: [n], or [m.n] with the
+    name that the text gives to an import. It is [None] if the text has no name for it. *)
+
+val said : t -> string -> string
+(** [said env label] is the label of a shape or behaviour, perhaps with indices or arguments, as the text would
+    write it ({!written}), for messages about this text. What the text has no name for keeps its global name. *)
+
 val is_missing : t -> string -> bool
 (** [is_missing env qualifier] is true if the import with this qualifier cannot be read. *)
 

@@ -181,15 +181,6 @@ let bare name =
 (* More of them would hide what is said. *)
 let most_listed = 24
 
-(* Names of the import in which a name is looked for, as they are written after its own name. *)
-let in_import known (r : Ast.reference) name =
-  let prefix = String.sub name 0 (String.length name - String.length r.target.it) in
-  let n = String.length prefix in
-  let inside key =
-    if String.starts_with ~prefix key then Some (String.sub key n (String.length key - n)) else None
-  in
-  List.sort_uniq String.compare (List.filter_map inside known)
-
 let listed import names =
   if List.length names > most_listed then None
   else
@@ -209,29 +200,55 @@ let qualified env what known (r : Ast.reference) =
     Some (Printf.sprintf "%s is in a module of scc: say `import <%s>`" (written library) library)
   | [], _ -> None
 
-(* What is known under a bare name, as it would be written. *)
-let report_unknown report env what keys (r : Ast.reference) (reference : reference) =
+(* The reference as it is written, with the values of its arguments. *)
+let as_written env (r : Ast.reference) (reference : reference) =
+  match r.qualifier with
+  | None -> Env.said env reference.label
+  | Some q ->
+    let n = String.length (bare reference.label) in
+    q.it ^ "." ^ r.target.it ^ String.sub reference.label n (String.length reference.label - n)
+
+(* Of the names that the text can write, those of the import that is named, without its name. *)
+let of_import seen import =
+  let prefix = import ^ "." in
+  let n = String.length prefix in
+  let inside name =
+    if String.starts_with ~prefix name then Some (String.sub name n (String.length name - n)) else None
+  in
+  List.filter_map inside seen
+
+let hint_of_unknown env what keys ~predefined (r : Ast.reference) name =
+  let seen = List.sort_uniq String.compare (List.filter_map (fun key -> Env.written env (bare key)) keys) in
+  match r.qualifier with
+  | Some _ when List.exists (fun key -> String.equal (bare key) r.target.it) predefined ->
+    Some (Printf.sprintf "did you mean `%s`? It needs no import" r.target.it)
+  | Some import -> (
+      match of_import seen import.it with
+      | [] -> None
+      | names ->
+        let written name = Printf.sprintf "did you mean `%s.%s`?" import.it name in
+        let nearest = Diag.nearest r.target.it names in
+        let hints = [ Option.map written nearest; listed import.it names ] in
+        Some (String.concat " " (List.filter_map Fun.id hints)))
+  | None -> (
+      match qualified env what (List.map bare keys) r with
+      | Some hint -> Some hint
+      | None -> Diag.suggest (bare name) (seen @ List.map bare predefined))
+
+let report_unknown report env what keys ?(predefined = []) (r : Ast.reference) (reference : reference) =
   let of_family = bare reference.label in
   let instances = List.filter (fun key -> String.equal (bare key) of_family) keys in
-  match instances with
+  let of_scc =
+    if Option.is_some r.qualifier then []
+    else List.filter (fun key -> String.equal (bare key) r.target.it) predefined
+  in
+  let name = as_written env r reference in
+  match List.map (Env.said env) instances @ of_scc with
   | [] ->
-    let known = List.map bare keys in
-    let hints =
-      match (r.qualifier, in_import known r of_family) with
-      | Some import, (_ :: _ as names) ->
-        let written name = import.it ^ "." ^ name in
-        [ Diag.suggest (written r.target.it) (List.map written names); listed import.it names ]
-      | Some _, [] | None, _ -> (
-          let of_import = if Option.is_none r.qualifier then qualified env what known r else None in
-          match (of_import, Diag.suggest of_family known) with
-          | Some hint, _ | None, Some hint -> [ Some hint ]
-          | None, None -> [ Diag.suggest r.target.it known ])
-    in
-    let hints = List.filter_map Fun.id hints in
-    let hint = match hints with [] -> None | _ -> Some (String.concat " " hints) in
+    let hint = match hint_of_unknown env what keys ~predefined r name with Some "" -> None | hint -> hint in
     let is_missing (q : Ast.name) = Env.is_missing env q.it in
     if not (Option.fold ~none:false ~some:is_missing r.qualifier) then
-      Report.error report Code.unknown_name r.target.at ?hint "unknown %s `%s`" what reference.label
-  | _ :: _ ->
-    Report.error report Code.unknown_name r.target.at "unknown %s `%s`; declared is %s" what reference.label
-      (String.concat ", " (List.map (Printf.sprintf "`%s`") instances))
+      Report.error report Code.unknown_name r.target.at ?hint "unknown %s `%s`" what name
+  | _ :: _ as known ->
+    Report.error report Code.unknown_name r.target.at "unknown %s `%s`; declared is %s" what name
+      (String.concat ", " (List.map (Printf.sprintf "`%s`") known))

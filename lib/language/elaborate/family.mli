@@ -58,7 +58,8 @@ val bare : string -> string
 val keys : (string, 'a) Hashtbl.t -> string list
 (** The keys of a table, sorted. *)
 
-val report_unknown : Report.t -> Env.t -> string -> string list -> Ast.reference -> reference -> unit
+val report_unknown :
+  Report.t -> Env.t -> string -> string list -> ?predefined:string list -> Ast.reference -> reference -> unit
 (** [report_unknown report env what keys r reference] reports that no declaration fits (SC0201). [what] is its
     kind, such as ["behaviour"]. The message lists the keys of the same name, or else suggests one: that of an
     import of which the qualifier was left out, or a similar one. What an import that cannot be read would declare

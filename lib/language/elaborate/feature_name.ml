@@ -3,7 +3,7 @@ open Scc_geometry
 open Scc_syntax
 open Scc_calculus
 
-type t = { prefix : (string * Span.t) list; what : what; span : Span.t }
+type t = { prefix : (string * Span.t) list; what : what; span : Span.t; env : Env.t }
 and what = Name of string * Span.t | Cycle of (string * Span.t) list
 
 let segment_span (s : Ast.segment) =
@@ -54,11 +54,11 @@ let read report env (f : Ast.feature) =
   | Named path ->
     let*? names = segments report env path in
     let prefix, (name, at) = split_last names in
-    Some { prefix; what = Name (name, at); span = f.at }
+    Some { prefix; what = Name (name, at); span = f.at; env }
   | Tuple (prefix, paths) ->
     let*? outer = Option.fold ~none:(Some []) ~some:(segments report env) prefix in
     let*? inner, cycle = vertices report env paths in
-    Some { prefix = outer @ inner; what = Cycle cycle; span = f.at }
+    Some { prefix = outer @ inner; what = Cycle cycle; span = f.at; env }
 
 let feature_names (p : Polyhedron.t) =
   Array.to_list (Array.map fst p.faces) @ Array.to_list (Array.map fst p.vertices)
@@ -241,7 +241,13 @@ let strip_own ~own shape prefix =
     when String.equal own first && Option.is_none (Shape.part_index c first) -> []
   | _ -> prefix
 
+(* With the name that the text has for it, for messages. *)
+let as_written env : Shape.t -> Shape.t = function
+  | Basic b -> Basic { b with label = Env.said env b.label }
+  | Compound c -> Compound { c with clabel = Env.said env c.clabel }
+
 let on_shape report ~own shape f =
+  let shape = as_written f.env shape in
   let prefix = strip_own ~own shape f.prefix in
   match (shape, prefix) with
   | Shape.Basic b, [] ->

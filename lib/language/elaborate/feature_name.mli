@@ -9,6 +9,7 @@ type t = {
   prefix : (string * Span.t) list;
   what : what;
   span : Span.t;
+  env : Env.t;  (** where it is written *)
 }
 
 and what = Name of string * Span.t | Cycle of (string * Span.t) list

@@ -30,8 +30,7 @@ let read_end (c : Context.t) env (bodies : Bodies.t) (f : Ast.feature) =
           "`%s` stands for several bodies; a bond joins two of them" name;
         None
       | None ->
-        Report.error c.report Code.unknown_name at "unknown process `%s`" name
-          ~near:(name, fun () -> Registry.names bodies.registry);
+        Registry.unknown bodies.registry c.report at name;
         None)
 
 let leaf (bodies : Bodies.t) i =

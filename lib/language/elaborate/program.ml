@@ -176,7 +176,8 @@ let enter_behaviour g place (name : Ast.name) (head : Family.head) definitions o
   Hashtbl.replace (Env.scope_of place.env).declared name.it ();
   match Hashtbl.find_opt g.behaviour_table head.key with
   | Some first ->
-    Report.error g.c.report Code.duplicate_name name.at "the behaviour `%s` is declared twice" head.key
+    Report.error g.c.report Code.duplicate_name name.at "the behaviour `%s` is declared twice"
+      (Env.said place.env head.key)
       ~notes:[ (first.name.at, "the first is here") ]
   | None ->
     let { Family.key; formals } = head in

@@ -41,3 +41,35 @@ let add t (s : Ast.segment) printed target =
       match s.indices with
       | [] -> ()
       | _ :: _ -> add_to_family t s target)
+
+(* {1 Names that nothing has} *)
+
+(* More of them would hide what is said. *)
+let most_listed = 8
+
+(* `c[2]` before `c[10]`. *)
+let in_order names =
+  let by_length a b =
+    match Int.compare (String.length a) (String.length b) with 0 -> String.compare a b | k -> k
+  in
+  List.sort by_length names
+
+(* Of a family that is there, its members are listed; otherwise the name of a body or family is suggested, without
+   indices: those that are written stay. *)
+let hint t ?(also = []) name =
+  let all = names t in
+  let family = Family.bare name in
+  let is_member n = (not (String.equal n family)) && String.equal (Family.bare n) family in
+  match in_order (List.filter is_member all) with
+  | [] when (not (String.equal family name)) && Hashtbl.mem t.entries family -> (
+      match find t family with
+      | Some (Family _) -> Some (Printf.sprintf "`%s` is a family that has no members here" family)
+      | _ -> Some (Printf.sprintf "`%s` is no family, and has no index" family))
+  | [] -> Scc_base.Diag.suggest family (also @ List.sort_uniq String.compare (List.map Family.bare all))
+  | members ->
+    let shown = List.filteri (fun i _ -> i < most_listed) members in
+    let more = if List.compare_length_with members most_listed > 0 then ", …" else "" in
+    Some (Printf.sprintf "`%s` has %s%s" family (String.concat ", " (List.map (Printf.sprintf "`%s`") shown)) more)
+
+let unknown t report at name =
+  Report.error report Scc_base.Code.unknown_name at "unknown process `%s`" name ?hint:(hint t name)

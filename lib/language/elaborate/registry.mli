@@ -1,5 +1,6 @@
 (** The names of bodies: leaves, processes with several leaves, and families ([c] for all [c[i]]). *)
 
+open Scc_base
 open Scc_syntax
 
 type target =
@@ -24,5 +25,9 @@ val declare_family : t -> Ast.name -> unit
 val find : t -> string -> target option
 (** The body, process or family of a printed name. *)
 
-val names : t -> string list
-(** All names, sorted. *)
+val hint : t -> ?also:string list -> string -> string option
+(** [hint t name] is a hint for a name that no body has. If a family has the name but not the indices, the hint
+    lists members. Otherwise it suggests the nearest name, without indices, of [t] and [also]. *)
+
+val unknown : t -> Report.t -> Span.t -> string -> unit
+(** [unknown t report at name] reports that no body has the printed name (SC0201), with {!hint}. *)

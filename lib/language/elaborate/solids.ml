@@ -23,6 +23,7 @@ let hull report at list =
 
 let on_circle = Named_solids.on_circle
 let names = [ "antiprism(_,_,_)"; "box(_,_,_)"; "prism(_,_,_)"; "pyramid(_,_,_)" ]
+let is_predefined name = List.mem name [ "antiprism"; "box"; "prism"; "pyramid" ]
 let max_corners = 256
 
 (* A name that stands for nothing is a word. *)
@@ -78,6 +79,13 @@ let check_open report (r : Ast.reference) (reference : Family.reference) =
 
 let affine (reference : Family.reference) =
   List.find_map (function Env.Affine form -> Some form | _ -> None) reference.arguments
+
+let label (r : Ast.reference) (reference : Family.reference) =
+  match (r.qualifier, r.indices, r.arguments) with
+  | None, [], _ :: _ when is_predefined r.target.it ->
+    let n = String.length (Family.bare reference.label) in
+    Some (r.target.it ^ String.sub reference.label n (String.length reference.label - n))
+  | _ -> None
 
 let find report (r : Ast.reference) (reference : Family.reference) =
   match (r.qualifier, r.indices, r.arguments, r.target.it) with

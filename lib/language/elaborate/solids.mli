@@ -18,5 +18,9 @@ val find : Report.t -> Ast.reference -> Family.reference -> Polyhedron.ifs optio
 (** The faces of [box(a, b, c)], [prism(n, r, h)], [antiprism(n, r, h)] or [pyramid(n, r, h)], and [None] for
     any other name. It is [Some None] if the arguments do not fit, which is reported. *)
 
+val label : Ast.reference -> Family.reference -> string option
+(** The label of a predefined solid, such as ["box(1,2,3)"], in every text. It is [None] for what names none, as
+    [m.box(1, 2, 3)] does: no module has predefined names. *)
+
 val names : string list
 (** The keys of these solids, such as ["box(_,_,_)"]. *)

@@ -31,8 +31,7 @@ let resolve_leaf t (name, at) =
         ~hint:"name one of them, or use `forall`, `exists` or `count`";
       None
     | None ->
-      error t Code.unknown_name at "unknown process `%s`" name
-        ~near:(name, fun () -> Registry.names t.bodies.registry);
+      Registry.unknown t.bodies.registry t.c.report at name;
       None
   in
   let*? i = number in
@@ -73,7 +72,7 @@ let spot t env (e : Ast.expr) : Property.spot option =
              match Shape.part_index c part.it with
              | Some k -> Some { Property.leaf; part = Some k }
              | None ->
-               error t Code.unknown_feature part.at "`%s` has no part `%s`" c.clabel part.it
+               error t Code.unknown_feature part.at "`%s` has no part `%s`" (Env.said env c.clabel) part.it
                  ~near:(part.it, fun () -> Array.to_list (Array.map (fun (p : Shape.part) -> p.name) c.parts));
                None)
          | Basic _ ->
@@ -143,11 +142,13 @@ let template_members t env r =
   let*? r = r in
   let scratch = Report.create () in
   let*? reference = Family.reference scratch env r in
-  match Hashtbl.find_opt t.c.templates reference.label with
-  | Some template ->
+  let made = Option.bind (Solids.label r reference) (fun l -> if Hashtbl.mem t.c.made l then Some l else None) in
+  match (Hashtbl.find_opt t.c.templates reference.label, made) with
+  | Some template, _ ->
     template.used <- true;
     Some (of_template t reference.label)
-  | None ->
+  | None, Some label -> Some (of_template t label)
+  | None, None ->
     let family key _ found = found || String.equal (Family.bare key) reference.label in
     if Hashtbl.fold family t.c.families false || Hashtbl.mem t.by_template reference.label then
       Some (of_template t reference.label)
@@ -171,8 +172,11 @@ let range t env (e : Ast.expr) =
   | Some members, _ | None, Some members -> Some members
   | None, None ->
     let name = Scc_syntax.Printer.expr e in
+    let templates () =
+      List.filter_map (fun key -> Env.written env (Family.bare key)) (Context.template_names t.c)
+    in
     error t Code.unknown_name e.at "unknown template `%s`" name
-      ~near:(name, fun () -> Context.template_names t.c @ Registry.names t.bodies.registry);
+      ?hint:(Registry.hint t.bodies.registry ~also:(templates ()) name);
     None
 
 let create (c : Context.t) (bodies : Bodies.t) (composition : Composition.t) behaviours =

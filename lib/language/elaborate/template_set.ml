@@ -58,7 +58,7 @@ and named c report depth env (r : Ast.reference) =
   let*? reference = Family.reference report env r in
   let is_compound () =
     Report.error report Code.wrong_kind r.target.at "`%s` is a compound, and a single shape is needed here"
-      reference.label ~hint:"its parts are the shapes to look at";
+      (Env.said env reference.label) ~hint:"its parts are the shapes to look at";
     None
   in
   match Family.find c.sources reference with
@@ -71,12 +71,11 @@ and named c report depth env (r : Ast.reference) =
     set c report (depth + 1) (Family.define report env source.definitions) source.written
   | None when Option.is_some (Family.find c.families reference) -> is_compound ()
   | None -> (
-      (* Instances of made solids are among the templates, where something in the model has asked for them. *)
       match Solids.find report r reference with
       | Some ifs -> ifs
       | None when Hashtbl.mem c.templates reference.label -> is_compound ()
       | None ->
-        Family.report_unknown report env "template" (Family.keys c.sources) r reference;
+        Family.report_unknown report env "template" (Family.keys c.sources) ~predefined:Solids.names r reference;
         None)
 
 (* A name as on the command line: [Cube], [m.Cube], [Brick(1, 2, 3)]. *)

@@ -142,11 +142,11 @@ let enter (c : Context.t) env (h : Ast.head) (head : Family.head) make =
   Hashtbl.replace (Env.scope_of env).declared h.declared.it ();
   match (taken c head.key, head.formals) with
   | Some first, _ ->
-    Report.error c.report Code.duplicate_name at "the template `%s` is declared twice" head.key
+    Report.error c.report Code.duplicate_name at "the template `%s` is declared twice" (Env.said env head.key)
       ~notes:[ (first, "the first is here") ]
   | None, [] ->
     Hashtbl.add c.templates head.key
-      { Context.shape = make env head.key; span = at; own = Env.is_own env; used = false }
+      { Context.shape = make env head.key; span = at; own = Env.is_own env; declared = true; used = false }
   | None, _ :: _ ->
     let make (r : Family.reference) = make (Family.bind env head.formals r.arguments) r.label in
     Hashtbl.add c.families head.key
@@ -169,7 +169,7 @@ let instance (c : Context.t) (f : Context.family) (r : Ast.reference) (reference
     let shape = f.make reference in
     c.nesting <- c.nesting - 1;
     Hashtbl.replace c.templates reference.label
-      { Context.shape; span = f.family_span; own = false; used = true };
+      { Context.shape; span = f.family_span; own = false; declared = false; used = true };
     shape
   end
 
@@ -180,22 +180,28 @@ let known (c : Context.t) (reference : Family.reference) =
     Some t.shape
   | None -> None
 
+let predefined (c : Context.t) (r : Ast.reference) (reference : Family.reference) =
+  let*? label = Solids.label r reference in
+  match Hashtbl.find_opt c.made label with
+  | Some shape -> Some shape
+  | None ->
+    let*? ifs = Solids.find c.report r reference in
+    let solid = Option.bind ifs (made c ~label r.target.at) in
+    let shape = Option.map (fun b -> Shape.Basic b) solid in
+    if not (Family.is_open reference) then Hashtbl.replace c.made label shape;
+    Some shape
+
 let find_known (c : Context.t) env (r : Ast.reference) (reference : Family.reference) =
   match (known c reference, Family.find c.families reference) with
   | Some shape, _ -> shape
   | None, Some _ when Family.is_open reference -> None
   | None, Some f -> instance c f r reference
   | None, None -> (
-      match Solids.find c.report r reference with
-      | Some ifs ->
-        let solid = Option.bind ifs (made c ~label:reference.label r.target.at) in
-        let shape = Option.map (fun b -> Shape.Basic b) solid in
-        if not (Family.is_open reference) then
-          Hashtbl.replace c.templates reference.label
-            { Context.shape; span = r.target.at; own = false; used = true };
-        shape
+      match predefined c r reference with
+      | Some shape -> shape
       | None ->
-        Family.report_unknown c.report env "template" (Context.template_names c @ Solids.names) r reference;
+        let predefined = Solids.names in
+        Family.report_unknown c.report env "template" (Context.template_names c) ~predefined r reference;
         None)
 
 let find (c : Context.t) env (r : Ast.reference) =

@@ -107,6 +107,18 @@ let product_hint = "a product is written with `*`, as in `2*i`"
 let joined_hint hint =
   match String.split_on_char '`' hint with [ ""; word; " is one word" ] -> Some word | _ -> None
 
+(* `compound Wall = {`, `shape Brick(a) = {`: what is declared with an `=` before its bracket. *)
+let braced (t : Tokens.t) index =
+  let rec declared i =
+    match t.tokens.(i).token with
+    | COMPOUND -> Some "a compound has no `=` before `{`, as in `compound Wall { part a : SHAPE mass 1 }`"
+    | SHAPE -> Some "a shape has no `=` before `{`, as in `shape Cube { vertices … faces … }`"
+    | _ -> if i = 0 || t.restart.(i) then None else declared (i - 1)
+  in
+  match t.tokens.(index).token with
+  | LBRACE when index > 1 && t.tokens.(index - 1).token = EQ -> declared (index - 2)
+  | _ -> None
+
 let hint (t : Tokens.t) source (f : failure) =
   let after_number =
     adjacent t f.index && (match t.tokens.(f.index - 1).token with NUMBER _ -> true | _ -> false)
@@ -115,6 +127,7 @@ let hint (t : Tokens.t) source (f : failure) =
   match t.tokens.(f.index).token with
   | token when after_number && Tokens.can_be_name token ->
     Some product_hint
+  | LBRACE when Option.is_some (braced t f.index) -> braced t f.index
   | DOT when after_number -> Some "a decimal point is followed by a digit"
   | DOT when f.accepts (NUMBER Rat.one) -> Some "a number begins with a digit, as in `0.5`"
   | LETTER l when Option.is_some (quantifying before) ->

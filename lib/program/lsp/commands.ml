@@ -110,9 +110,16 @@ let cancel_token t token =
   let has r = match r.shown with Under u -> Rpc.same_id u.token token | Nowhere -> false in
   Option.iter (cancelled t) (List.find_opt has t.running)
 
+(* What a command is asked for, and what it writes, may be at fault as well as the text. *)
 let refused (d : Workspace.document) (found : Diag.t list) =
-  let first = match found with [] -> "" | x :: _ -> ": " ^ x.message in
-  Printf.sprintf "%s cannot be read%s" (Filename.basename (Uri.name d.uri)) first
+  let is_of_output (x : Diag.t) = String.equal x.code (Code.cannot_write :> string) in
+  let file = Filename.basename (Uri.name d.uri) in
+  match found with
+  | [] -> file ^ " cannot be read"
+  | x :: _ when is_of_output x -> Printf.sprintf "%s: %s" x.span.file x.message
+  | x :: _ when not (Span.equal x.span Span.command_line) ->
+    Printf.sprintf "%s cannot be read: %s" file x.message
+  | x :: _ -> Option.fold ~none:x.message ~some:(fun hint -> Printf.sprintf "%s (%s)" x.message hint) x.hint
 
 (* Starts a process; [finish] makes the answer of its result. *)
 let run t ~id params d title work finish =

@@ -113,20 +113,21 @@ let actions s params : Json.t =
   let near (x : Diag.t) =
     String.equal x.span.file (Source.name d.reading.source) && x.span.start <= upto && from <= x.span.stop
   in
-  let fix (x : Diag.t) (f : Fixes.t) : Json.t =
+  let fix all ((x : Diag.t), (f : Fixes.t)) : Json.t =
     `Assoc
       [
         ("title", Json.text f.title);
         ("kind", `String "quickfix");
         ("diagnostics", `List [ diagnostic s ~base:d.path (Lazy.force d.positions) x ]);
-        ("isPreferred", `Bool true);
+        ("isPreferred", `Bool (List.length (List.filter (fun (y, _) -> y == x) all) = 1));
         ("edit", Navigate.edit s [ (d.uri, Lazy.force d.positions, f.edits) ]);
       ]
   in
-  let of_diagnostic x = List.map (fix x) (Fixes.of_diagnostic d.reading x) in
   match Session.analysis s d with
   | None -> `List []
-  | Some found -> `List (List.concat_map of_diagnostic (List.filter near found.diagnostics))
+  | Some found -> 
+    let all = Fixes.of_diagnostics d.reading (List.filter near found.diagnostics) in
+    `List (List.map (fix all) all)
 
 (* {1 Values} *)
 

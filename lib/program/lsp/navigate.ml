@@ -171,13 +171,14 @@ let prepare_rename s params : Json.t =
 
 let rename s params =
   let name = Rpc.string "newName" params in
-  let _, _, f, target = renamed s params in
+  let d, _, f, target = renamed s params in
+  let own_path = (own d).path in
   let in_file ((g : Project.file), target) =
     match Rename.edits g.reading target name with
     | Ok [] -> None
     | Ok edits -> Some (uri_of s g, g.positions, edits)
     | Error why ->
-      let is_own = String.equal g.path f.path in
+      let is_own = String.equal g.path own_path in
       let where = if is_own then "" else Printf.sprintf " (in %s)" (Filename.basename g.path) in
       Rpc.refuse Rpc.failed "%s%s" why where
   in

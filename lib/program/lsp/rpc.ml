@@ -22,23 +22,24 @@ let cancelled = -32800
 let of_object json =
   let id = Option.value (Json.member "id" json) ~default:`Null in
   let params = Option.value (Json.member "params" json) ~default:`Null in
-  let invalid why = Invalid { id; code = invalid_request; why } in
-  let version = Option.bind (Json.member "jsonrpc" json) Json.string in
   let has_id = match id with `Int _ | `String _ -> true | _ -> false in
+  let invalid why = Invalid { id = (if has_id then id else `Null); code = invalid_request; why } in
+  let version = Option.bind (Json.member "jsonrpc" json) Json.string in
+  let has_method = match json with `Assoc members -> List.mem_assoc "method" members | _ -> false in
   let name = Option.bind (Json.member "method" json) Json.string in
   match (name, Json.member "result" json, Json.member "error" json) with
   | _ when version <> Some "2.0" -> invalid "`jsonrpc` is not \"2.0\""
+  | None, _, _ when has_method -> invalid "`method` is no text"
   | Some name, None, None -> (
       match (id, params) with
       | _, (`Bool _ | `Int _ | `Float _ | `String _) -> invalid "`params` is neither an object nor an array"
       | `Null, _ -> Notification { name; params }
       | _ when has_id -> Request { id; name; params }
-      | _ -> Invalid { id = `Null; code = invalid_request; why = "`id` is neither a number nor a text" })
+      | _ -> invalid "`id` is neither an integer nor a text")
   | Some _, _, _ -> invalid "a message with a method has no result and no error"
   | None, result, None when has_id -> Response { id; result = Some (Option.value result ~default:`Null) }
   | None, _, Some _ when has_id -> Response { id; result = None }
-  | None, _, _ ->
-    Invalid { id = `Null; code = invalid_request; why = "it is no request, notification or response" }
+  | None, _, _ -> invalid "it is no request, notification or response"
 
 let is_utf_8 text =
   let n = String.length text in
@@ -49,7 +50,8 @@ let read text =
   let invalid code why = Invalid { id = `Null; code; why } in
   if not (is_utf_8 text) then invalid parse_error "the message is not in UTF-8"
   else match Json.parse (Source.make ~name:"message" text) with
-    | Error d -> invalid parse_error ("the message is no JSON: " ^ d.message)
+    | Error _ when String.trim text = "" -> invalid parse_error "the message is empty"
+    | Error d -> invalid parse_error ("the message cannot be read: " ^ d.message)
     | Ok (`Assoc _ as json) -> of_object json
     | Ok (`List _) -> invalid invalid_request "the protocol has no batches"
     | Ok _ -> invalid invalid_request "a message is an object"

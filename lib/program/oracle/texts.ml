@@ -130,7 +130,7 @@ let fixes =
       | Ok l -> l.warnings
       | Error found -> found
     in
-    List.concat_map (fun d -> List.map (fun f -> (d, f)) (Scc_assist.Fixes.of_diagnostic reading d)) found
+    Scc_assist.Fixes.of_diagnostics reading found
   in
   let params = Read.[ needs whole; may name; Method.limits ] in
   Method.make "text.fixes" params (fields [ field "fixes" (list fix) Fun.id ]) work

@@ -1,0 +1,171 @@
+(* Sweeps: names that are spelt wrongly in each place, and what is offered in each place. *)
+
+open Scc_base
+open Scc_syntax
+open Scc_describe
+open Scc_assist
+open Texts
+
+(* The family's name alone is replaced, in each place where a body is named, and each family is offered once. *)
+let families () =
+  let declared =
+    "for i in 1..3 { process clast[i] = box(1,1,1) mass 1 at translate (9*i, 0, 0) [nil] }\n\
+     for i in 1..3 { process blqast[i] = box(1,1,1) mass 1 at translate (9*i, 20, 0) [nil] }\n"
+  in
+  let one (before, after) =
+    let text name = declared ^ before ^ name ^ after in
+    let found = Fixes.of_diagnostics (reading (text "blast")) (load (text "blast")) in
+    let edits (_, (f : Fixes.t)) = Rename.apply (text "blast") f.edits in
+    texts (before ^ after) [ text "blqast" ] (List.map edits found)
+  in
+  List.iter one
+    [
+      ("for i in 1..3 { motion ", "[i] = (1,0,0) }\n");
+      ("for i in 1..2 { bond <a, {", "[i].right, clast[i+1].left}> }\n");
+      ("bond <a, {", "[2].[b, c], clast[1].left}>\n");
+      ("network ", "[1] || clast[2]\n");
+      ("check c : always forall i in 1..3: x(", "[i]) > 0\n");
+      ("check c : always bound(", "[1], clast[2])\n");
+      ("check c : always count(b in ", " : x(b) > 0) = 3\n");
+    ];
+  let other = declared ^ "check c : always x(clast[4]) > 0\n" in
+  Alcotest.(check int) "another member is no fix" 0
+    (List.length (Fixes.of_diagnostics (reading other) (load other)))
+
+(* Each name that an import brings, with a letter less or one more, by each way to import. *)
+let imported () =
+  let count = ref 0 in
+  let exported = [ ("<solids>", Option.get (Scc_elaborate.Library.find "solids")); ("\"parts.sc\"", parts) ] in
+  let names text = List.filter_map (fun (i : Ast.item) ->
+      match i.it with
+      | Shape (h, _, _) | Compound (h, _, _, _) ->
+        let arguments = List.map (fun _ -> "1") h.formals in
+        Some (h.declared.it, if arguments = [] then "" else "(" ^ String.concat "," arguments ^ ")")
+      | _ -> None)
+      (Result.get_ok (Scc_notation.Notation.model (Source.make ~name:"m.sc" text)))
+  in
+  let one import qualifier (name, arguments) =
+    let text name =
+      Printf.sprintf "import %s\nprocess p = %s%s%s mass 1 [nil]\n" (import name) qualifier name arguments
+    in
+    let wrong name = [ String.sub name 0 (String.length name - 1); name ^ "x" ] in
+    let mended w =
+      incr count;
+      match Fixes.of_diagnostics (reading (text w)) (load (text w)) with
+      | (_, f) :: _ -> Alcotest.(check string) (text w) (text name) (Rename.apply (text w) f.edits)
+      | [] -> Alcotest.failf "nothing mends %s" (text w)
+    in
+    let is_clear w = String.length w > 2 in
+    List.iter mended (List.filter is_clear (wrong name))
+  in
+  let of_module (file, text) =
+    let base = if file = "<solids>" then "solids." else "parts." in
+    let ways = [ ((fun _ -> file), base); ((fun _ -> file ^ " as m"), "m.") ] in
+    List.iter (fun (import, q) -> List.iter (one import q) (names text)) ways
+  in
+  List.iter of_module exported;
+  Alcotest.(check bool) (Printf.sprintf "%d names" !count) true (!count > 40)
+
+(* Predefined names are of no module, whatever stands before. *)
+let of_no_module () =
+  let before =
+    "import <solids>\nimport \"tiles.sc\"\nfixed a = box(3,1,1)\nfixed b = prism(3,1,1) at translate (9,0,0)\n\
+     fixed c = antiprism(3,1,1) at translate (18,0,0)\nfixed d = pyramid(3,1,1) at translate (27,0,0)\n\
+     fixed e = solids.Cube(1) at translate (36,0,0)\nfixed f = tiles.Tile(1) at translate (45,0,0)\n"
+  in
+  let holds text = List.exists Diag.is_error (load text) in
+  Alcotest.(check bool) "without it there is no error" false (holds before);
+  let one (e : Vocabulary.entry) =
+    let refused text =
+      if not (holds text) then Alcotest.failf "%s is accepted" text
+    in
+    let use m =
+      refused (Printf.sprintf "%sprocess p = %s.%s(3,1,1) at translate (0,9,0) [nil]\n" before m e.word);
+      refused (Printf.sprintf "%sprocess p = %s.%s(3,1,1) at translate (0,9,0) [nil]\n%s" "" m e.word before);
+      refused (Printf.sprintf "%slet v = %s.%s(3,1)\nfixed p = box(v,v,v) at translate (0,9,0)" before m e.word);
+      refused (Printf.sprintf "%slet v = %s.%s\nfixed p = box(v,v,v) at translate (0,9,0)" before m e.word)
+    in
+    List.iter use [ "solids"; "tiles" ]
+  in
+  List.iter one Vocabulary.all;
+  let offered = names (before ^ "process p = solids.") in
+  List.iter (fun n -> if List.mem n offered then Alcotest.failf "%s is offered" n) [ "box"; "prism"; "pyramid" ]
+
+(* {1 What is offered fits} *)
+
+(* Where a name stands as an argument in a check, or begins a behaviour of a process, each name that is offered is
+   put in its place: then there is no error there about an unknown name or one of another kind. What is offered
+   with indices or arguments needs them. *)
+let is_whole (o : Completion.offer) =
+  let needs form = String.contains form '[' || String.contains form '(' in
+  List.mem o.kind [ "body"; "channel"; "behaviour"; "shape"; "value"; "feature" ]
+  && not (Option.fold ~none:false ~some:needs o.form)
+
+(* The items that contain an offset, from the outermost. *)
+let rec around at (items : Ast.model) =
+  let within (i : Ast.item) = i.at.start <= at && at < i.at.stop in
+  match List.find_opt within items with
+  | Some ({ it = For (_, inner); _ } as i) -> i.it :: around at inner
+  | Some i -> [ i.it ]
+  | None -> []
+
+let fitting () =
+  let places = ref 0 and offered = ref 0 in
+  let model folder (file, text) =
+    let read_file path = try Ok (read (Filename.concat folder path)) with Sys_error e -> Error e in
+    let faults text =
+      let source = Source.make ~name:file text in
+      match Scc_loading.Loaded.load ~read_file ~overrides:[] source with Ok _ -> [] | Error found -> found
+    in
+    let r = reading text in
+    let known = Known.of_text modules r and tokens = (Lazy.force r.tokens).tokens in
+    let put (t : Tokens.token) (o : Completion.offer) =
+      incr offered;
+      let changed = Rename.apply text [ (Span.make ~file ~start:t.start ~stop:t.stop, o.name) ] in
+      let wrong (d : Diag.t) =
+        List.mem d.code [ "SC0201"; "SC0210" ] && d.span.start <= t.start && t.start <= d.span.stop
+      in
+      match List.find_opt wrong (faults changed) with
+      | Some d ->
+        let stood = String.sub text t.start (t.stop - t.start) in
+        Alcotest.failf "%s: `%s` for %s: %s" file o.name stood d.message
+      | None -> ()
+    in
+    let in_check at = List.exists (function Ast.Check _ -> true | _ -> false) (around at (Lazy.force r.model)) in
+    let in_process at =
+      List.exists (function Ast.Process _ -> true | _ -> false) (around at (Lazy.force r.model))
+    in
+    let is_place i =
+      let t = tokens.(i) in
+      (match tokens.(i + 1).token with COMMA | RPAREN | RBRACKET -> true | _ -> false)
+      &&
+      match (tokens.(i - 1).token, t.token) with
+      | (LPAREN | COMMA), (NAME _ | LETTER _) -> in_check t.start
+      | LBRACKET, (NAME _ | LETTER _) -> 
+        let is_index = match tokens.(i + 2).token with COLON | DOT -> true | _ -> false in
+        in_process t.start && i > 2 && tokens.(i - 3).token <> PROCESS && not is_index
+      | _ -> false
+    in
+    for i = 1 to Array.length tokens - 2 do
+      if is_place i then begin
+        incr places;
+        let all = snd (Completion.at known text tokens.(i).start) in
+        List.iter (put tokens.(i)) (List.filter is_whole all)
+      end
+    done
+  in
+  let all folder = List.iter (model folder) (models folder) in
+  all "../../../specs/cookbook";
+  let counts = Printf.sprintf "%d names at %d places" !offered !places in
+  Alcotest.(check bool) counts true (!places > 40 && !offered > 40)
+
+let () =
+  Alcotest.run "sweeps of names"
+    [
+      ( "fixes",
+        [
+          case "families" families; case "imported names" imported;
+          case "predefined names are of no module" of_no_module;
+        ] );
+      ("what is offered fits", [ case "in the cookbook" fitting ]);
+    ]
