@@ -40,9 +40,9 @@ let has_large_part (e : Equations.t) =
 
 let decided n bound asked = Array.for_all (fun v -> Option.is_some (Answer.holds (n.of_node v) bound)) asked
 
-(* Of a large part it cannot be told beforehand whether exact values or intervals decide a bound sooner. Both are tried
-   in turn, with more and more effort, before exact values get all of it: so many products of small numbers for these,
-   and so many looks at the clock for intervals. *)
+(* Of a large part it cannot be told beforehand whether exact values or intervals decide a bound sooner. Both are
+   tried in turn, with more and more effort, before exact values get all of it: so many products of small numbers
+   for these, and so many looks at the clock for intervals. *)
 let turns = [ (1 lsl 22, 16); (1 lsl 26, 512) ]
 
 (* That is over after so many looks at the clock, which depend on nothing but the work. *)

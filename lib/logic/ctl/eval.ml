@@ -232,7 +232,8 @@ let measure t { decide; side; formula; position } =
 
 let is_chain t = Lazy.force t.is_chain
 
-(* What is found without a test is at least as good as what is found to decide it. Without choices both sides are one. *)
+(* What is found without a test is at least as good as what is found to decide it. Without choices both sides are
+   one. *)
 let answers t asked (known, _) =
   (asked.decide || not known.decide)
   && (asked.side = known.side || is_chain t)

@@ -15,8 +15,8 @@ let of_sets =
   Error
     [
       Diag.error Code.not_yet Span.command_line
-        "--curve: this model is explored by sets of states, as it leaves values or instants open, and a curve is that \
-         of one start"
+        "--curve: this model is explored by sets of states, as it leaves values or instants open, and a curve is \
+         that of one start"
         ~hint:"leave out --curve; or give all parameters values with `-D NAME=VALUE`, and a `split_step`";
     ]
 

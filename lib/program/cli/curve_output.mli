@@ -7,7 +7,8 @@ open Scc_verify
 
 val refused : Loaded.t -> declared:Property.check list -> drawn:bool -> string option -> (unit, Diag.t list) result
 (** [refused l ~declared ~drawn name] is an error if the model [l] has no check with this name that asks for a
-    probability within a bound of time, or if [l] is explored by sets of states. [declared] are the checks of its text, of which [l] may have some alone.
+    probability within a bound of time, or if [l] is explored by sets of states. [declared] are the checks of its
+    text, of which [l] may have some alone.
     Without a name it is an error if the curve is to be [drawn], and else [Ok]. *)
 
 val lines : Verdict.t -> string

@@ -15,7 +15,8 @@ let after prefix text =
   else None
 
 let path uri =
-  let local rest = if String.length rest > 0 && rest.[0] = '/' then Some (normal (Percent.decoded rest)) else None in
+  let is_local rest = String.length rest > 0 && rest.[0] = '/' in
+  let local rest = if is_local rest then Some (normal (Percent.decoded rest)) else None in
   match (after "file://localhost" uri, after "file://" uri) with
   | Some rest, _ -> local rest
   | None, Some rest -> local rest

@@ -32,5 +32,5 @@ val of_run : Scc_exact.Rat.t -> string
     than 1. *)
 
 val of_sides : is_chain:(unit -> bool) -> 'side list -> ('side -> 'a) -> ('side * 'a) list
-(** [of_sides ~is_chain sides find] is what [find] finds for each side. Where nothing is left to choose, as [is_chain ()]
-    says, what is found for the first side is so for the others. *)
+(** [of_sides ~is_chain sides find] is what [find] finds for each side. Where nothing is left to choose, as
+    [is_chain ()] says, what is found for the first side is so for the others. *)

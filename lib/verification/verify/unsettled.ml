@@ -99,8 +99,8 @@ let counted r states =
   in
   Seq.fold_left nearer (0, None) states
 
-(* Why no answer was found in some states. They may have been left because all was decided, and then the time was over
-   before it was decided again ({!cut_short}). *)
+(* Why no answer was found in some states. They may have been left because all was decided, and then the time was
+   over before it was decided again ({!cut_short}). *)
 let causes r states : Verdict.reason list =
   let fault = function Bounds.Fault f -> Some f.Scc_base.Diag.message | Bound _ | Early -> None in
   let causes = List.map (cause r) (reasons r states) in

@@ -41,8 +41,8 @@ val evaluated : t -> (unit -> 'a) -> ('a, Verdict.reason list) result
     little time or memory for it. *)
 
 val cut_short : t -> Temporal.t -> Verdict.reason list
-(** [cut_short t temporal] is the reason why a probability or mean of the present formula is not better known, if it
-    is that the time was over. *)
+(** [cut_short t temporal] is the reason why a probability or mean of the present formula is not better known, if
+    it is that the time was over. *)
 
 val causes : t -> int Seq.t -> Verdict.reason list
 (** The reasons of a verdict why these states were not expanded: bounds, then faults, each once. *)

@@ -1,5 +1,5 @@
-(* Probabilities and means that the time cuts short at any point: what is told is what would be told with more time, or says
-   that the time was over. The clock counts how often it is asked whether to stop. *)
+(* Probabilities and means that the time cuts short at any point: what is told is what would be told with more
+   time, or says that the time was over. The clock counts how often it is asked whether to stop. *)
 
 open Scc_exact
 open Scc_graph_search
@@ -79,7 +79,8 @@ let fits what ~complete (full : Verdict.outcome) (outcome : Verdict.outcome) =
     match (full.verdict, found) with
     | Holds { bounds = _ :: _; _ }, Holds { bounds = _ :: _; _ } -> ("bounded", true)
     | _, Holds { bounds = (_ :: _) as bounds; _ } ->
-      ("bounded", List.exists (fun (t : Verdict.truncation) -> match t.limit with Seconds _ -> true | _ -> false) bounds)
+      let of_time (t : Verdict.truncation) = match t.limit with Seconds _ -> true | _ -> false in
+      ("bounded", List.exists of_time bounds)
     | _, Undecided reasons ->
       let exact = function
         | Verdict.Undefined text -> Str.string_match (Str.regexp "the probability is [0-9]") text 0
@@ -89,8 +90,8 @@ let fits what ~complete (full : Verdict.outcome) (outcome : Verdict.outcome) =
     | _, Measured { values; reasons; _ } when not (List.for_all is_exact values) ->
       ("measured", List.exists says_so reasons || List.for_all is_narrow values)
     | _ -> ("settled", 
-        settled full.verdict found
-        && (has_run outcome || (not (has_run full)) || Option.is_some outcome.left_out || not complete))
+            settled full.verdict found
+            && (has_run outcome || (not (has_run full)) || Option.is_some outcome.left_out || not complete))
   in
   Hashtbl.replace kinds kind ();
   if not right then
