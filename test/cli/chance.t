@@ -594,6 +594,44 @@ The probability within each time, up to the bound: a table, JSON and a picture.
   command line: error[SC0208]: --curve: `by_four' is not among the checks of --check: add `--check by_four'
   [64]
 
+A curve is that of one start. A hint for ranges can be followed.
+
+  $ printf 'shape C = box(1,1,1)\nparam d in [0, 3]\nprocess p = C mass 1 at translate (d,0,0) [nil]\n' > starts.sc
+  $ printf 'motion p = choose { (1,0,0), (-1,0,0) }\ncheck c : P = ? [ eventually x(p) > 2 within 2 ]\n' >> starts.sc
+  $ scc check starts.sc --curve c --curve-plot curve.svg
+  command line: error[SC0901]: --curve: this model is explored by sets of states, as it leaves values or instants open, and a curve is that of one start
+    hint: leave out --curve; or give all parameters values with `-D NAME=VALUE`, and a `split_step`
+  [64]
+  $ scc check starts.sc -D d=1 --curve c | grep -A9 '^c:'
+  c: 1/4
+    P = ? [ eventually x(p) > 2 within 2 ]
+    within T, for T
+      from 0: 0
+      after 1: 1/4
+    a run that counts, of probability 1/4:
+      1. p draws the velocity (1, 0, 0), with probability 1/2, at time 0
+      2. time passes by 1, to time 1
+      3. p draws the velocity (1, 0, 0), with probability 1/2, at time 1
+      then time passes: right after time 1, for example at time 3/2
+  $ scc check starts.sc -D d=1 --where
+  error[SC0208]: no parameter of this model has a range
+    hint: `param x in [0, 6]` declares one, `-D 'x=[1,3]'` narrows it, and `-D x=2` leaves a value alone
+  [3]
+  $ scc check starts.sc -D 'd=[1,2]' | grep '^c:'
+  c: 1/4 to 1/2, for d in [1, 2]; mean 1/2 = 0.5
+  $ scc check starts.sc -D 'd=[0,1' 2>&1 | head -1
+  scc: option '-D': `[0,1' is no range such as [1, 3) or [0, 1/2]
+
+A claim beside a question for the same probability is decided as soon as the question is answered.
+
+  $ printf 'shape C = box(1,1,1)\nprocess w = C mass 1 at translate (3,0,0) [nil]\n' > long.sc
+  $ printf 'fixed l = C absorb at translate (-1,0,0)\nfixed r = C absorb at translate (601,0,0)\n' >> long.sc
+  $ printf 'motion w = choose { (1,0,0), (-1,0,0) }\ncheck much : P = ? [ eventually event absorb(w, r) ]\n' >> long.sc
+  $ printf 'check claim : P >= 1/3 [ eventually event absorb(w, r) ]\n' >> long.sc
+  $ scc check long.sc | grep -E '^(much|claim)'
+  much: 1/200
+  claim: violated
+
 Collisions that chance puts in order (rule Ties): one number, also without reductions and from a kept exploration. Random
 runs have nothing free, and other tools get the tie as one action.
 
