@@ -15,6 +15,7 @@ type reader = {
   text : string;
   room : int ref;  (* for the bodies of prototypes *)
   names : Scene.names;
+  units : Scene_unit.t;
   mutable routes : Scene.route list;
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
@@ -61,7 +62,7 @@ let route r tag =
 let unit_of r tag =
   let text = needed r tag "conversionFactor" in
   let start = match attribute tag "conversionFactor" with Some a -> fst a.value | None -> tag.name.start in
-  Scene_unit.check ~path:r.path tag.name ~category:(needed r tag "category") ~factor:{ text; start }
+  Scene_unit.state r.units ~path:r.path tag.name ~category:(needed r tag "category") ~factor:{ text; start }
 
 (* {1 Nodes} *)
 
@@ -328,9 +329,9 @@ and expand r tag ~prototype inside fields body =
 let scene ~path text room =
   let r =
     {
-      path; text; room; names = Scene.names (); routes = []; changes = []; prototypes = []; fields = None;
+      path; text; room; names = Scene.names (); units = Scene_unit.none (); routes = []; changes = []; prototypes = []; fields = None;
       opened = []; depth = 0; containers = [];
     }
   in
   let nodes = contents r ~of_element:"" (Scene.ok (Xml_tags.tags ~path text)) in
-  { Scene.nodes; changes = all_changes r }
+  { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }
