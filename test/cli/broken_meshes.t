@@ -56,7 +56,7 @@ PLY: values beyond the types of their properties.
   $ ply int 255 1.5 3
   t.ply:12:1: error[SC0320]: expected an integer, found `1.5`
   $ ply uchar 300 1 3
-  t.ply:11:7: warning[SC0324]: values beyond the types of their properties, here the first, are left out
+  t.ply:11:7: warning[SC0324]: values that are not of the types of their properties, here the first, are left out
   convex closed polyhedron: yes
     warning[SC0312]: the centroid (1/4, 1/4, 1/4) is not the origin of body space (positions and motion are of the centroid)
   $ ply uchar 1 1 259

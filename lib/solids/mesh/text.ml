@@ -88,6 +88,11 @@ let coordinate ~path w =
       | Error Rat.Zero_denominator -> error ~path w "a fraction with the denominator zero"
       | Error Rat.Malformed -> not_number ())
 
+let is_number w =
+  match String.lowercase_ascii w.text with
+  | "nan" | "-nan" | "+nan" | "inf" | "-inf" | "+inf" | "infinity" | "-infinity" -> true
+  | s -> ( match Rat.of_literal (with_zeros s) with Ok _ | Error Rat.Too_large -> true | Error _ -> false)
+
 let coordinates ~path words =
   match words with
   | x :: y :: z :: _ ->

@@ -292,14 +292,23 @@ and list r depth at =
     | w :: _ -> Scene.bad ~path:r.path w "expected a number or `]`, found %s" (quote w.text)
     | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
 
-(* Both formats say in their first line what they are. *)
+(* Both formats say in their first line what they are. A comment may follow. *)
+let is_header head =
+  let line = List.hd (String.split_on_char '\n' (String.map (function '\r' -> '\n' | c -> c) head)) in
+  let words = String.split_on_char ' ' (String.map (function '\t' -> ' ' | c -> c) line) in
+  let version v = String.length v = 4 && (String.starts_with ~prefix:"V3." v || String.starts_with ~prefix:"V4." v) in
+  match List.filter (fun w -> w <> "") words with
+  | "#VRML" :: "V2.0" :: "utf8" :: _ -> true
+  | "#X3D" :: v :: "utf8" :: _ -> version v && v.[3] >= '0' && v.[3] <= '9'
+  | _ -> false
+
 let check_header ~path text =
   let head = String.trim (String.sub text 0 (min 80 (String.length text))) in
   let starts prefix = String.starts_with ~prefix head in
   let refuse ~hint what =
     raise (Scene.Refused (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" what))
   in
-  if starts "#VRML V2.0" || starts "#X3D V" then ()
+  if is_header head then ()
   else if starts "#VRML V1" || starts "#Inventor" then
     refuse "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF"
   else if starts "\x1F\x8B" then refuse "the file is compressed" ~hint:"decompress it, by gunzip for instance"

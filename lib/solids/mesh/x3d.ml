@@ -98,6 +98,9 @@ let finish r element =
     | Some a -> (
         let name = { text = Scene.ok (Xml_tags.value ~path:r.path r.text a); start = fst a.value } in
         let node = Scene.used ~path:r.path r.names name in
+        if not (is "ProtoInstance" tag || String.equal node.kind.text tag.name.text) then
+          Scene.bad ~path:r.path tag.name "%s is the name of a node %s, and this is a %s" (quote name.text)
+            node.kind.text tag.name.text;
         match (fields r tag, List.rev element.inside) with
         | [], [] -> put r element role node
         | (w, _) :: _, _ | [], (w, _) :: _ ->
@@ -134,6 +137,17 @@ let check_container r (tag : tag) =
   if List.mem name r.containers then Scene.bad ~path:r.path tag.name "the element %s is there twice" name;
   r.containers <- name :: r.containers
 
+(* What these elements say of the file. *)
+let check_own r (tag : tag) =
+  let of_file = [ "profile"; "version"; "xmlns"; "id"; "class"; "style" ] in
+  let prefixes = [ "xmlns:"; "xsd:"; "xsi:"; "xml:" ] in
+  let known a = List.mem a of_file || List.exists (fun prefix -> String.starts_with ~prefix a) prefixes in
+  match List.find_opt (fun a -> not (known a.key.text)) tag.attributes with
+  | None -> ()
+  | Some a ->
+    Scene.unread ~path:r.path a.key ~hint:"remove it if it changes nothing" "%s has no attribute %s that is known here"
+      tag.name.text (quote a.key.text)
+
 let stray_text r (tag : tag) =
   Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
 
@@ -145,7 +159,7 @@ let characters r tag =
 
 let start r (tag : tag) =
   let container = List.mem tag.name.text containers in
-  if container then check_container r tag else check_in_scene r tag;
+  if container then (check_container r tag; check_own r tag) else check_in_scene r tag;
   let name = if container || Option.is_some (attribute tag "USE") then None else value r tag "DEF" in
   check_depth r tag;
   Scene.opening r.names name;
@@ -333,5 +347,7 @@ let scene ~path text room =
       opened = []; depth = 0; containers = [];
     }
   in
-  let nodes = contents r ~of_element:"" (Scene.ok (Xml_tags.tags ~path text)) in
+  let tags = Scene.ok (Xml_tags.tags ~path text) in
+  Scene.ok (Xml_tags.well_formed ~path text tags);
+  let nodes = contents r ~of_element:"" tags in
   { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }

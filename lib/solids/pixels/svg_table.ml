@@ -100,7 +100,7 @@ let unused =
 
 let of_all =
   words
-    "id class lang tabindex role autofocus pathLength requiredFeatures externalResourcesRequired nonce slot part \
+    "id class lang tabindex role autofocus pathLength externalResourcesRequired nonce slot part \
      about content datatype property rel resource rev typeof focusable focusHighlight t p-id"
 let prefixes = [ "nav-"; "data-"; "aria-"; "on"; "xmlns"; "xml:"; "xlink:" ]
 
@@ -108,6 +108,6 @@ let attribute element name =
   let has table = List.mem name (words (Option.value (List.assoc_opt element table) ~default:"")) in
   if has geometry || String.equal name "style" then Read
   else if has unused || List.mem name of_all || List.exists (fun p -> begins p name) prefixes then Still
-  else if List.mem name (words "requiredExtensions systemLanguage requiredFonts requiredFormats") then
+  else if List.mem name (words "requiredFeatures requiredExtensions systemLanguage requiredFonts requiredFormats") then
     Unread "what it shows depends on the reader: remove the attribute, or the element"
   else property name
