@@ -48,8 +48,10 @@ let error ~path word fmt = fail ~path word.start (word.start + String.length wor
 let error_at ~path offset fmt = fail ~path offset offset fmt
 
 let quote s =
-  let cut = if String.length s > 40 then String.sub s 0 40 ^ "..." else s in
-  "`" ^ String.escaped cut ^ "`"
+  (* Not within a character. *)
+  let rec stop i = if i > 0 && Char.code s.[i] land 0xc0 = 0x80 then stop (i - 1) else i in
+  let cut = if String.length s > 40 then String.sub s 0 (stop 40) ^ "..." else s in
+  "`" ^ Visible.line cut ^ "`"
 
 let max_digits = 1000
 let is_digit c = c >= '0' && c <= '9'

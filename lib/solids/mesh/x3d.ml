@@ -231,6 +231,7 @@ let rec contents r ~of_element tags =
     | (tag : tag) :: rest -> (
         match tag.name.text with
         | "ROUTE" -> check_in_scene r tag; route r tag; go (after r tag rest)
+        | "IMPORT" -> Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure tag.name.text) "`IMPORT` is not read"
         | "unit" -> unit_of r tag; go (after r tag rest)
         | "ProtoDeclare" -> check_in_scene r tag; go (declare r tag rest)
         | "ExternProtoDeclare" ->

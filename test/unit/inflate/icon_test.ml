@@ -305,7 +305,18 @@ let refused () =
   is "SC0341" "a drawing that is stretched"
     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4 4' preserveAspectRatio='none'/>";
   is "SC0341" "text" (svg "<text>x</text>");
-  is "SC0341" "a document type of its own" ("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]>" ^ svg "");
+  let declared d = "<?xml version='1.0'?><!-- a --><!DOCTYPE svg PUBLIC '-//a' 'b' [" ^ d ^ "]>" in
+  List.iter
+    (fun d -> is "SC0341" ("a document type with " ^ d) (declared d ^ svg ""))
+    [ "<!ENTITY a '&b;'>"; "<!ENTITY a '<'>"; "<!ENTITY a SYSTEM 'b'>"; "<!ENTITY % a 'b'>"; "<!ELEMENT svg ANY>" ];
+  is "read" "entities, as programs write them"
+    (declared "\n<!ENTITY ns_svg \"http://www.w3.org/2000/svg\">\n<!-- x -->\n<!ENTITY w '9'>\n"
+     ^ "<svg xmlns='&ns_svg;' viewBox='0 0 9 9'><rect width='&w;' height='&w;'/></svg>");
+  is "SC0340" "an entity again and again"
+    (declared ("<!ENTITY a '" ^ String.make 100_000 'a' ^ "'>")
+     ^ svg (String.concat "" (List.init 200 (fun _ -> "<title>&a;</title>"))));
+  is "SC0341" "UTF-16" "\xff\xfe<\000s\000"; is "SC0341" "compressed" "\x1f\x8b\008\000";
+  is "read" "an empty path" (svg "<path d='none'/><rect width='9' height='9'/>");
   is "SC0340" "an entity" (svg "<title>&a;</title>");
   is "SC0340" "a path" (svg "<path d='M0 0 L1'/>");
   is "SC0340" "far away" (svg "<path d='M0 0 L1e9 1e9z'/>");
