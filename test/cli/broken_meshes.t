@@ -110,7 +110,7 @@ glTF: JSON alone, the bounds of data, and what is not shown.
   > "nodes"'
   t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `// nodes` is outside of strings
   $ gltf '' '' '"nodes"' '/* */ "nodes"'
-  t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `/* */ \"nod` is outside of strings
+  t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `/* */ "nod` is outside of strings
   $ gltf '' '' '"nodes"' 'nodes'
   t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `nodes: [` is outside of strings
   $ gltf '' '' '"count": 4' '"count": Infinity'

@@ -21,8 +21,9 @@ let is_binary text = String.length text >= 4 && String.equal (String.sub text 0 
 
 let trailing ~path ~stop n =
   let open Scc_base in
-  Diag.warning Code.mesh_left_out (Span.make ~file:path ~start:stop ~stop) "%s after the end that the head promises are left out"
-    (Plural.count (n - stop) "byte" "bytes")
+  Diag.warning Code.mesh_left_out
+    (Span.make ~file:path ~start:stop ~stop)
+    "%s after the end that the head promises are left out" (Plural.count (n - stop) "byte" "bytes")
 
 let parts ~path text =
   if not (is_binary text) then Ok (text, None, [])
@@ -34,7 +35,10 @@ let parts ~path text =
     else
       let length = u32 text 8 and n = String.length text in
       (* Chunks of other kinds are for programs that know them. *)
-      let rec others at = if at >= length then Ok at else Result.bind (chunk ~path text at) (fun (_, _, at) -> others at) in
+      let rec others at =
+        if at >= length then Ok at
+        else match chunk ~path text at with Ok (_, _, next) -> others next | Error _ as e -> e
+      in
       let* binary, next =
         if next >= length then Ok (None, next)
         else
@@ -371,4 +375,5 @@ let read ~files ~path text =
     | None -> J.fail root "the scene shows no faces: there is no mesh in it"
   in
   let odd = Option.to_list (Gltf_data.odd file.data) in
-  Ok (set, List.map warning (others @ points_alone file set @ odd @ moving @ of_whole_file root) @ trailing)
+  let all = others @ points_alone file set @ odd @ moving @ of_whole_file root in
+  Ok (set, List.map warning all @ trailing)

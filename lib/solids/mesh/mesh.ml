@@ -80,7 +80,8 @@ let unknown ~path text =
 let wrapped ~path text =
   let say ~hint fault = Some (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" fault) in
   let begins = List.exists (fun prefix -> String.starts_with ~prefix text) in
-  let plain = List.exists (Filename.check_suffix (String.lowercase_ascii path)) [ ".x3d"; ".x3dv"; ".wrl"; ".off"; ".obj" ] in
+  let ends = Filename.check_suffix (String.lowercase_ascii path) in
+  let plain = List.exists ends [ ".x3d"; ".x3dv"; ".wrl"; ".off"; ".obj" ] in
   if plain && begins [ "\xff\xfe"; "\xfe\xff"; "<\000"; "\000<" ] then
     say "the text is in UTF-16, which is not read" ~hint:"save it as UTF-8"
   else if plain && begins [ "\x1f\x8b" ] then

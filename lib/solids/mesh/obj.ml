@@ -5,7 +5,8 @@ type state = {
   vertices : Scc_exact.Vec.t list;  (* in reverse order *)
   count : int;
   left_out : word option;  (* the first line or point *)
-  odd : word option;  (* the first normal or place in a picture that is none, or that a face names and is not there *)
+  odd : word option;
+  (* the first normal or place in a picture that is none, or that a face names and is not there *)
   textures : int;
   normals : int;
   named : (word * int * [ `Texture | `Normal ]) list;  (* further on in the file, perhaps *)
@@ -154,7 +155,8 @@ let read ~path text =
       let span = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text) in
       Diag.warning Code.mesh_left_out span ?hint "%s" what
     in
-    let lines w = warning w ~hint:"nothing has to be done if the faces alone are meant" "lines and points are left out" in
+    let hint = "nothing has to be done if the faces alone are meant" in
+    let lines w = warning w ~hint "lines and points are left out" in
     let absent (_, i, what) = i > match what with `Texture -> state.textures | `Normal -> state.normals in
     let odd =
       match (state.odd, List.find_opt absent (List.rev state.named)) with

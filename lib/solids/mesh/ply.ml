@@ -184,7 +184,11 @@ let ascii ~path text position =
   (* What is not read changes nothing. *)
   let skip kind =
     let note w =
-      let fine = match kind with Real _ -> is_number w | Signed _ | Unsigned _ -> Result.is_ok (whole ~path kind w) in
+      let fine =
+        match kind with
+        | Real _ -> is_number w
+        | Signed _ | Unsigned _ -> Result.is_ok (whole ~path kind w)
+      in
       if Option.is_none !odd && not fine then odd := Some w
     in
     Result.map note (word ())

@@ -5,7 +5,8 @@ let from_least (c : int array) =
   Array.iteri (fun i v -> if v < c.(!least) then least := i) c;
   Array.to_list (Array.init n (fun i -> c.((!least + i) mod n)))
 
-(* Different faces: [many] is how often one is there, and [kept] how many of these stay, 0 as long as that is open. *)
+(* Different faces: [many] is how often one is there, and [kept] how many of these stay: 0 as long as that is
+   open. *)
 type face = { sides : ((int * int) * int) list; many : int; mutable kept : int }
 
 (* At an edge: its faces with their directions, and how many of them are open. *)
@@ -14,8 +15,8 @@ type edge = { mutable faces : (face * int) list; mutable unknown : int }
 let sides corners =
   let n = Array.length corners in
   let side k =
-    let a = corners.(k) and b = corners.((k + 1) mod n) in
-    ((min a b, max a b), if a < b then 1 else -1)
+    let a : int = corners.(k) and b = corners.((k + 1) mod n) in
+    ((Int.min a b, Int.max a b), if a < b then 1 else -1)
   in
   List.init n side
 
@@ -56,7 +57,9 @@ let decide faces =
   in
   List.iter (fun face -> List.iter (enter face) face.sides) faces;
   let queue = Queue.create () in
-  let decided edge = if edge.unknown = 1 then List.iter (fun (f, _) -> if f.kept = 0 then Queue.add f queue) edge.faces in
+  let decided edge =
+    if edge.unknown = 1 then List.iter (fun (f, _) -> if f.kept = 0 then Queue.add f queue) edge.faces
+  in
   let know face kept =
     face.kept <- kept;
     let one (key, _) =

@@ -296,7 +296,7 @@ and list r depth at =
 let is_header head =
   let line = List.hd (String.split_on_char '\n' (String.map (function '\r' -> '\n' | c -> c) head)) in
   let words = String.split_on_char ' ' (String.map (function '\t' -> ' ' | c -> c) line) in
-  let version v = String.length v = 4 && (String.starts_with ~prefix:"V3." v || String.starts_with ~prefix:"V4." v) in
+  let version v = String.length v = 4 && List.mem (String.sub v 0 3) [ "V3."; "V4." ] in
   match List.filter (fun w -> w <> "") words with
   | "#VRML" :: "V2.0" :: "utf8" :: _ -> true
   | "#X3D" :: v :: "utf8" :: _ -> version v && v.[3] >= '0' && v.[3] <= '9'

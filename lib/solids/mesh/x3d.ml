@@ -145,8 +145,8 @@ let check_own r (tag : tag) =
   match List.find_opt (fun a -> not (known a.key.text)) tag.attributes with
   | None -> ()
   | Some a ->
-    Scene.unread ~path:r.path a.key ~hint:"remove it if it changes nothing" "%s has no attribute %s that is known here"
-      tag.name.text (quote a.key.text)
+    Scene.unread ~path:r.path a.key ~hint:"remove it if it changes nothing"
+      "%s has no attribute %s that is known here" tag.name.text (quote a.key.text)
 
 let stray_text r (tag : tag) =
   Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
@@ -231,7 +231,8 @@ let rec contents r ~of_element tags =
     | (tag : tag) :: rest -> (
         match tag.name.text with
         | "ROUTE" -> check_in_scene r tag; route r tag; go (after r tag rest)
-        | "IMPORT" -> Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure tag.name.text) "`IMPORT` is not read"
+        | "IMPORT" as name ->
+          Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure name) "`IMPORT` is not read"
         | "unit" -> unit_of r tag; go (after r tag rest)
         | "ProtoDeclare" -> check_in_scene r tag; go (declare r tag rest)
         | "ExternProtoDeclare" ->
@@ -344,7 +345,8 @@ and expand r tag ~prototype inside fields body =
 let scene ~path text room =
   let r =
     {
-      path; text; room; names = Scene.names (); units = Scene_unit.none (); routes = []; changes = []; prototypes = []; fields = None;
+      path; text; room; names = Scene.names (); units = Scene_unit.none ();
+      routes = []; changes = []; prototypes = []; fields = None;
       opened = []; depth = 0; containers = [];
     }
   in

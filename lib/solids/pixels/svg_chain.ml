@@ -123,7 +123,11 @@ let segment p (segment : Svg_segment.t) =
 
 let lines ~budget ~check ~share ~half map outline =
   let origin = (Rat.zero, Rat.zero) in
-  let p = { map; share; half; check; budget; here = origin; start = origin; begun = false; strands = []; lines = [] } in
+  let p =
+    {
+      map; share; half; check; budget; here = origin; start = origin; begun = false; strands = []; lines = [];
+    }
+  in
   outline (segment p);
   finish p ~closed:false;
   List.rev p.lines

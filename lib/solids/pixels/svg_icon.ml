@@ -17,8 +17,8 @@ let max_corners = 1_000_000
 
 (* {1 The picture} *)
 
-(* The sides of the whole drawing; none if one is not given, or as a share of what is around it. Browsers then take the
-   proportions of the viewBox. Sides in one unit have proportions even if the unit depends on a font. *)
+(* The sides of the whole drawing; none if one is not given, or as a share of what is around it. Browsers then take
+   the proportions of the viewBox. Sides in one unit have proportions even if the unit depends on a font. *)
 let sides root =
   let side name =
     match Option.map String.trim (Svg_tree.attribute root name) with

@@ -130,7 +130,8 @@ let read text =
     match Svg_entities.of_text text with
     | Some found -> found
     | None ->
-      raise (Fault ((1, 1), Unread "document types with declarations of their own, but for entities with plain values"))
+      let what = "document types with declarations of their own, but for entities with plain values" in
+      raise (Fault ((1, 1), Unread what))
   in
   let input = { xml = Xmlm.make_input ~entity:(Svg_entities.meaning entities) (`String (0, text)); at = (1, 1) } in
   let root =

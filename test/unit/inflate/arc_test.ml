@@ -1,5 +1,5 @@
-(* Arcs whose radii are large against their chords, as a share of a greater sweep: they are nearly straight, however
-   large the quotient is. *)
+(* Arcs whose radii are large against their chords, as a share of a greater sweep: they are nearly straight,
+   however large the quotient is. *)
 open Scc_pixels
 open Areas
 

@@ -284,8 +284,8 @@ let refused () =
        is "read" name text;
        is "read" (name ^ ", and blanks") (text ^ "\n \n");
        is "SC0340" (name ^ ", and more") (text ^ more))
-    [ ("P1", "P1 2 1 0 1", "1"); ("P2", "P2 1 1 9 4", " 5"); ("P3", "P3 1 1 9 1 2 3", " 1 2 3"); ("P4", "P4 1 1 a", "a");
-      ("P5", "P5 1 1 255 a", "a"); ("P6", "P6 1 1 255 abc", "P6 1 1 255 abc") ];
+    [ ("P1", "P1 2 1 0 1", "1"); ("P2", "P2 1 1 9 4", " 5"); ("P3", "P3 1 1 9 1 2 3", " 1 2 3");
+      ("P4", "P4 1 1 a", "a"); ("P5", "P5 1 1 255 a", "a"); ("P6", "P6 1 1 255 abc", "P6 1 1 255 abc") ];
   is "SC0341" "a condition" (svg "<rect requiredFeatures='a' width='9' height='9'/>");
   is "SC0340" "no compressed data" (header 9 9 ^ chunk "IDAT" "rubbish" ^ chunk "IEND" "");
   is "SC0340" "a colour that the palette has not"
@@ -308,7 +308,10 @@ let refused () =
   let declared d = "<?xml version='1.0'?><!-- a --><!DOCTYPE svg PUBLIC '-//a' 'b' [" ^ d ^ "]>" in
   List.iter
     (fun d -> is "SC0341" ("a document type with " ^ d) (declared d ^ svg ""))
-    [ "<!ENTITY a '&b;'>"; "<!ENTITY a '<'>"; "<!ENTITY a SYSTEM 'b'>"; "<!ENTITY % a 'b'>"; "<!ELEMENT svg ANY>" ];
+    [
+      "<!ENTITY a '&b;'>"; "<!ENTITY a '<'>"; "<!ENTITY a SYSTEM 'b'>"; "<!ENTITY % a 'b'>";
+      "<!ELEMENT svg ANY>";
+    ];
   is "read" "entities, as programs write them"
     (declared "\n<!ENTITY ns_svg \"http://www.w3.org/2000/svg\">\n<!-- x -->\n<!ENTITY w '9'>\n"
      ^ "<svg xmlns='&ns_svg;' viewBox='0 0 9 9'><rect width='&w;' height='&w;'/></svg>");

@@ -61,7 +61,8 @@ let cases =
     ("not loaded", "Inline { load FALSE url \"box.wrl\" }", "SC0320 in t.wrl");
     ("not visible", "Inline { visible FALSE url \"bad.wrl\" }" ^ shape, "6 faces from -1");
     ("in another unit", inline "cm.x3dv", "6 faces from -1/100");
-    ("in units of units", "Transform { translation 1 0 0 children " ^ inline "mm.x3d" ^ " }", "6 faces from 99/100");
+    ( "in units of units", "Transform { translation 1 0 0 children " ^ inline "mm.x3d" ^ " }",
+      "6 faces from 99/100" );
     ("a unit of what is around", "UNIT length mm 0.001 " ^ inline "box.wrl", "6 faces from -1000");
     ("its own unit alone", "UNIT length mm 0.001 " ^ shape, "6 faces from -1");
     ("one unit after the other", "UNIT length mm 0.001 " ^ inline "km.x3dv" ^ shape, "12 faces from -10");

@@ -101,7 +101,9 @@ let objs =
     ("normals that are not there", obj ~face:(fun f -> "f " ^ with_more "//1" f) (), full ^ " SC0324");
   ]
   @ List.map
-    (fun more -> ("f 1" ^ more, obj ~first:"vt 0 0\nvn 0 0 1\n" ~face:(fun f -> "f " ^ with_more more f) (), full ^ " SC0324"))
+    (fun more ->
+       let face f = "f " ^ with_more more f in
+       ("f 1" ^ more, obj ~first:"vt 0 0\nvn 0 0 1\n" ~face (), full ^ " SC0324"))
     [ "/99"; "/0/0"; "/1/99"; "/-9/1"; "//-2" ]
   @ List.map
     (fun more -> ("f 1" ^ more, obj ~face:(fun f -> "f " ^ with_more more f) (), "SC0320 5:3"))
@@ -196,8 +198,10 @@ let plys =
     ("plain", ply plain, full); ("another name", ply ~face:"property list uchar int vertex_index" plain, full);
     ("other properties", ply ~vertex:(xyz ^ "\nproperty uchar red\nproperty list uchar float more")
        (with_vertex " 255 2 0.5 0.5"), full);
-    ("values that are no numbers", ply ~vertex:(xyz ^ "\nproperty float nx") (with_vertex " abc"), full ^ " SC0324");
-    ("whole values that are none", ply ~vertex:(xyz ^ "\nproperty int id") (with_vertex " 1.5"), full ^ " SC0324");
+    ("values that are no numbers",
+     ply ~vertex:(xyz ^ "\nproperty float nx") (with_vertex " abc"), full ^ " SC0324");
+    ("whole values that are none",
+     ply ~vertex:(xyz ^ "\nproperty int id") (with_vertex " 1.5"), full ^ " SC0324");
     ("values that are not finite", ply ~vertex:(xyz ^ "\nproperty float nx") (with_vertex " nan"), full);
     ("two formats", ply ~format:"ascii 1.0\nformat ascii 1.0" plain, "SC0320 3:1");
     ("another order", ply ~vertex:"property float z\nproperty float x\nproperty float y"

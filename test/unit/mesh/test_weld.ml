@@ -102,7 +102,8 @@ let slivers () =
     let s = set [ (Array.append points (Array.of_list (List.rev !more)), faces @ !extra) ] in
     Alcotest.(check int) "closed before" 0 (unbalanced s);
     let welded = fst (Mend.weld s) in
-    Alcotest.(check (pair int int)) (Printf.sprintf "welded %d" k) (6, 0) (Array.length welded.ifs_faces, unbalanced welded);
+    let found = (Array.length welded.ifs_faces, unbalanced welded) in
+    Alcotest.(check (pair int int)) (Printf.sprintf "welded %d" k) (6, 0) found;
     let merged = fst (Mend.merge welded) in
     let found = (Array.length merged.ifs_faces, Array.length merged.ifs_vertices) in
     Alcotest.(check (pair int int)) (Printf.sprintf "merged %d" k) (6, 8) found
