@@ -360,7 +360,9 @@ let read ~files ~path text =
   let* materials = J.items "materials" root in
   let* cameras = J.items "cameras" root in
   let seen = Array.make (Array.length nodes) false in
-  let file = { data; meshes; nodes; materials; cameras; seen; soup = Soup.create (); alone = None; hidden = None } in
+  let file =
+    { data; meshes; nodes; materials; cameras; seen; soup = Soup.create (); alone = None; hidden = None }
+  in
   let* others = scene root file in
   let* moving = moving root in
   let warning what =
