@@ -56,7 +56,7 @@ PLY: values beyond the types of their properties.
   $ ply int 255 1.5 3
   t.ply:12:1: error[SC0320]: expected an integer, found `1.5`
   $ ply uchar 300 1 3
-  t.ply:11:7: warning[SC0324]: values beyond the types of their properties, here the first, are left out
+  t.ply:11:7: warning[SC0324]: values that are not of the types of their properties, here the first, are left out
   convex closed polyhedron: yes
     warning[SC0312]: the centroid (1/4, 1/4, 1/4) is not the origin of body space (positions and motion are of the centroid)
   $ ply uchar 1 1 259
@@ -110,7 +110,7 @@ glTF: JSON alone, the bounds of data, and what is not shown.
   > "nodes"'
   t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `// nodes` is outside of strings
   $ gltf '' '' '"nodes"' '/* */ "nodes"'
-  t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `/* */ \"nod` is outside of strings
+  t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `/* */ "nod` is outside of strings
   $ gltf '' '' '"nodes"' 'nodes'
   t.gltf:1:1: error[SC0320]: this is not JSON: in line 5 of it, `nodes: [` is outside of strings
   $ gltf '' '' '"count": 4' '"count": Infinity'

@@ -158,6 +158,12 @@ let root_above ~kept n d =
 
 let sqrt_above n d = root_above ~kept n d
 
-let root q =
+let root_to ~bits q =
   let n = Q.num q and d = Q.den q in
-  if Z.perfect_square n && Z.perfect_square d then Q.make (Z.sqrt n) (Z.sqrt d) else root_above ~kept:40 n d
+  if Z.perfect_square n && Z.perfect_square d then Q.make (Z.sqrt n) (Z.sqrt d) else root_above ~kept:bits n d
+
+let root q = root_to ~bits:40 q
+
+let log_above q =
+  let q = Q.abs q in
+  if Q.sign q = 0 then 0 else Int.max 0 (size (Q.num q) (Q.den q) + 1)

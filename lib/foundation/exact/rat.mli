@@ -110,6 +110,12 @@ val root : t -> t
 (** [root x], for [x >= 0], is the square root if it is rational. Otherwise it is greater than the square root, by
     less than two units in the last of forty bits. *)
 
+val root_to : bits:int -> t -> t
+(** [root_to ~bits x] is {!root} with this number of bits, at least 1, in the place of forty. *)
+
+val log_above : t -> int
+(** [log_above x] is the least integer k >= 0, or the one after it, with |x| < 2{^k}. *)
+
 val sqrt_above : Z.t -> Z.t -> t
 (** [sqrt_above n d], for n >= 0 and d > 0, is a short number that is at least the square root of n/d. It exceeds
     the root by less than two units in the last of ten bits. *)

@@ -20,9 +20,9 @@ let grid =
 
 let weld =
   Options.flag [ "weld" ]
-    "Makes equal points one vertex, as many programs give every face corners of its own, and removes faces that \
-     then have fewer than three corners, and faces that are there twice. If each face is there from both sides, \
-     the first of both stays."
+    "Makes equal points one vertex, as many programs give every face corners of its own, and removes faces \
+     without an area, and faces that are there twice. Two solids that share a face keep it twice. If each face is \
+     there from both sides, the first of both stays."
 
 let orient =
   Options.flag [ "orient" ]
@@ -55,9 +55,18 @@ let helping (set : Polyhedron.ifs) faults =
     | Polyhedron_fault.Repeated_edge _ | Flat _ | Separate_solids _ -> Lazy.force twice
     | _ -> false
   in
+  let no_area = function
+    | Polyhedron_fault.Degenerate_face (f, _) | Self_crossing (f, _) -> Scc_mesh.Slivers.is_sliver set f
+    | Short_face _ -> true
+    | _ -> false
+  in
+  let welded = function
+    | Polyhedron_fault.Same_position _ | Unused_vertex _ -> true
+    | f -> doubled f || no_area f
+  in
   let tries =
     [
-      (some (function Polyhedron_fault.Same_position _ | Unused_vertex _ -> true | f -> doubled f), "--weld");
+      (some welded, "--weld");
       (some (function Polyhedron_fault.Turned_face _ | Inward -> true | _ -> false), "--orient");
       (some (function Polyhedron_fault.Coplanar_neighbours _ -> true | _ -> false), "--merge");
     ]

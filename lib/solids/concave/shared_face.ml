@@ -20,7 +20,8 @@ let from_least corners =
   from @ before
 
 let find (set : Polyhedron.ifs) =
-  let inside (_, f) = Array.for_all (fun v -> v >= 0 && v < Array.length set.ifs_vertices) f in
+  let inside (_, f) =
+    Array.length f >= 3 && Array.for_all (fun v -> v >= 0 && v < Array.length set.ifs_vertices) f in
   let corners (_, f) = List.map (fun v -> snd set.ifs_vertices.(v)) (Array.to_list f) in
   let faces = List.filter inside (Array.to_list set.ifs_faces) in
   let enter known face = By_corners.add (from_least (corners face)) (fst face) known in

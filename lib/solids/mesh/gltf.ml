@@ -19,17 +19,36 @@ let chunk ~path text offset =
 
 let is_binary text = String.length text >= 4 && String.equal (String.sub text 0 4) "glTF"
 
+let trailing ~path ~stop n =
+  let open Scc_base in
+  Diag.warning Code.mesh_left_out
+    (Span.make ~file:path ~start:stop ~stop)
+    "%s after the end that the head promises are left out" (Plural.count (n - stop) "byte" "bytes")
+
 let parts ~path text =
-  if not (is_binary text) then Ok (text, None)
+  if not (is_binary text) then Ok (text, None, [])
   else if String.length text < 12 then error_at ~path 0 "the file ends within its head of 12 bytes"
   else if u32 text 4 <> 2 then error_at ~path 4 "only version 2 of GLB is read, not %d" (u32 text 4)
   else
     let* kind, json, next = chunk ~path text 12 in
     if kind <> json_chunk then error_at ~path 16 "the first chunk of a GLB file is to be JSON"
-    else if next >= String.length text then Ok (json, None)
     else
-      let* kind, data, _ = chunk ~path text next in
-      Ok (json, if kind = binary_chunk then Some data else None)
+      let length = u32 text 8 and n = String.length text in
+      (* Chunks of other kinds are for programs that know them. *)
+      let rec others at =
+        if at >= length then Ok at
+        else match chunk ~path text at with Ok (_, _, next) -> others next | Error _ as e -> e
+      in
+      let* binary, next =
+        if next >= length then Ok (None, next)
+        else
+          let* kind, data, next = chunk ~path text next in
+          Ok ((if kind = binary_chunk then Some data else None), next)
+      in
+      let* stop = others next in
+      if stop <> length || length > n then
+        error_at ~path 8 "the head promises a file of %d bytes, but its chunks end at %d" length stop
+      else Ok (json, binary, if n > length then [ trailing ~path ~stop n ] else [])
 
 (* {1 Places of nodes} *)
 
@@ -76,6 +95,8 @@ type file = {
   data : Gltf_data.t;
   meshes : J.t array;
   nodes : J.t array;
+  materials : J.t array;
+  cameras : J.t array;
   seen : bool array;
   soup : Soup.t;
   mutable alone : string option;  (* where the first points without faces are *)
@@ -131,8 +152,13 @@ let check_compressed file p attributes =
     let names = List.filter_map Fun.id [ J.member "POSITION" attributes; J.member "indices" p ] in
     Result.map ignore (Result.all (Gltf_data.has_data file.data) names)
 
+(* What a member names is to be there, although it moves nothing. *)
+let check_there list ~what name holder =
+  match J.member name holder with None -> Ok () | Some v -> Result.map ignore (J.nth list ~what v)
+
 let primitive file at ~weights p =
   let* () = Gltf_table.check ~kind:"primitive" p in
+  let* () = check_there file.materials ~what:"material" "material" p in
   let* () = Gltf_data.spend file.data p 1 in
   let* mode = J.index_or triangles "mode" p in
   let* attributes = J.needed "attributes" p in
@@ -197,6 +223,7 @@ let rec node file depth at name =
   else (
     file.seen.(i) <- true;
     let* () = Gltf_table.check ~kind:"node" n in
+    let* () = check_there file.cameras ~what:"camera" "camera" n in
     let* own = place n in
     let at = Affine.compose at own in
     let* hidden = is_hidden n in
@@ -322,7 +349,7 @@ let of_whole_file root =
   | None -> []
 
 let read ~files ~path text =
-  let* json, binary = parts ~path text in
+  let* json, binary, trailing = parts ~path text in
   let* root = J.parse ~path json in
   let* extensions = check_head root in
   let budget = ref (100_000 + (2 * String.length text)) in
@@ -330,8 +357,12 @@ let read ~files ~path text =
   let* data = Gltf_data.make ~files ~path ~binary ~budget ~quantized root in
   let* meshes = J.items "meshes" root in
   let* nodes = J.items "nodes" root in
+  let* materials = J.items "materials" root in
+  let* cameras = J.items "cameras" root in
   let seen = Array.make (Array.length nodes) false in
-  let file = { data; meshes; nodes; seen; soup = Soup.create (); alone = None; hidden = None } in
+  let file =
+    { data; meshes; nodes; materials; cameras; seen; soup = Soup.create (); alone = None; hidden = None }
+  in
   let* others = scene root file in
   let* moving = moving root in
   let warning what =
@@ -346,4 +377,5 @@ let read ~files ~path text =
     | None -> J.fail root "the scene shows no faces: there is no mesh in it"
   in
   let odd = Option.to_list (Gltf_data.odd file.data) in
-  Ok (set, List.map warning (others @ points_alone file set @ odd @ moving @ of_whole_file root))
+  let all = others @ points_alone file set @ odd @ moving @ of_whole_file root in
+  Ok (set, List.map warning all @ trailing)

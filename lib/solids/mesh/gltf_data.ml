@@ -76,7 +76,11 @@ let view t name =
   let* data = Lazy.force data in
   let* start = J.index_or 0 "byteOffset" v in
   let* length = Result.bind (J.needed "byteLength" v) J.index in
-  let* stride = J.index_or 0 "byteStride" v in
+  let* stride = Option.fold ~none:(Ok 0) ~some:J.index (J.member "byteStride" v) in
+  let* () =
+    if Option.is_none (J.member "byteStride" v) || (stride >= 4 && stride <= 252 && stride land 3 = 0) then Ok ()
+    else J.fail v "the stride of a view is a multiple of 4 from 4 to 252, and not %d" stride
+  in
   if start + length > String.length data then
     J.fail v "the view ends at byte %d of a buffer of %d" (start + length) (String.length data)
   else Ok { data; start; length; stride = (if stride = 0 then None else Some stride); at = v }
@@ -133,6 +137,7 @@ let coordinate t holder =
       J.fail holder "positions of type %d need the extension KHR_mesh_quantization, which is not named" component
   in
   match component with
+  | 5126 when normalized -> J.fail holder "floats (type 5126) are not normalized"
   | 5126 -> Ok (4, fun data place -> Bytes_of.real ~path:"" ~big_endian:false data place 4)
   | 5120 -> whole 1 Bytes_of.signed 127
   | 5121 -> whole 1 Bytes_of.unsigned 255

@@ -17,12 +17,13 @@ let kind name ?(refused = []) read still =
 let kinds =
   [
     kind "glTF"
-      "asset extensionsRequired extensionsUsed accessors buffers bufferViews meshes nodes scenes scene animations"
-      "cameras images materials samplers skins textures";
+      "asset extensionsRequired extensionsUsed accessors buffers bufferViews meshes nodes scenes scene animations \
+       cameras materials"
+      "images samplers skins textures";
     kind "asset" "version minVersion" "copyright generator"; kind "scene" "nodes" "name";
-    kind "node" "matrix translation rotation scale mesh weights children" "name camera"
+    kind "node" "matrix translation rotation scale mesh weights children camera" "name"
       ~refused:[ ("skin", "a mesh on a skeleton") ];
-    kind "mesh" "primitives weights" "name"; kind "primitive" "attributes indices mode targets" "material";
+    kind "mesh" "primitives weights" "name"; kind "primitive" "attributes indices mode targets material" "";
     kind "attributes" "POSITION" "NORMAL TANGENT";
     kind "target" "POSITION" "NORMAL TANGENT";
     kind "accessor" "bufferView byteOffset componentType normalized count type sparse min max" "name";

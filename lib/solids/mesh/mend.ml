@@ -37,36 +37,23 @@ let distinct (corners : int array) =
   let keep i = corners.(i) <> corners.((i + 1) mod n) in
   Array.of_list (List.filter_map (fun i -> if keep i then Some corners.(i) else None) (List.init n Fun.id))
 
-(* The corners from the least one on. *)
-let from_least (c : int array) =
-  let n = Array.length c in
-  let least = ref 0 in
-  Array.iteri (fun i v -> if v < c.(!least) then least := i) c;
-  Array.to_list (Array.init n (fun i -> c.((!least + i) mod n)))
-
 let reversed corners =
   let n = Array.length corners in
   Array.init n (fun i -> corners.(n - 1 - i))
 
-(* Each face once. If each is there from both sides, only the first of both stays. *)
+(* If each face is there from both sides, only the first of both stays. *)
 let single faces =
+  let once = Twice.single faces in
   let seen = Hashtbl.create 64 in
-  let fresh (_, c) =
-    let key = from_least c in
-    if Hashtbl.mem seen key then false
-    else begin
-      Hashtbl.add seen key ();
-      true
-    end
-  in
-  let once = List.filter fresh faces in
-  let other c = from_least (reversed c) in
+  let key c = Twice.from_least c in
+  List.iter (fun (_, c) -> Hashtbl.replace seen (key c) ()) once;
+  let other c = key (reversed c) in
   if once = [] || List.exists (fun (_, c) -> not (Hashtbl.mem seen (other c))) once then once
   else begin
     Hashtbl.reset seen;
     let first (_, c) =
       let stays = not (Hashtbl.mem seen (other c)) in
-      if stays then Hashtbl.add seen (from_least c) ();
+      if stays then Hashtbl.add seen (key c) ();
       stays
     in
     List.filter first once
@@ -89,6 +76,7 @@ let weld (set : Polyhedron.ifs) =
   let face (name, corners) = (name, distinct (Array.map (fun v -> into.(v)) corners)) in
   let mapped = Array.to_list (Array.map face set.ifs_faces) in
   let proper = List.filter (fun (_, c) -> Array.length c >= 3) mapped in
+  let proper = Array.to_list (Slivers.dissolved { set with ifs_faces = Array.of_list proper }).ifs_faces in
   let kept = Array.of_list (single proper) in
   let cloud = Array.length set.ifs_faces = 0 in
   let used = Array.init n (fun i -> cloud && into.(i) = i) in

@@ -16,8 +16,9 @@ val closing_grid : Polyhedron.ifs -> Rat.t option
 
 val weld : Polyhedron.ifs -> Polyhedron.ifs * string
 (** Vertices at one point become one, which has the name of the first. Corners that repeat their neighbour are
-    dropped, and so are faces with fewer than three corners left, and faces that are there twice. If each face is
-    there from both sides, the first of both stays. Vertices that no face uses are dropped, but
+    dropped, and so are faces with fewer than three corners left, and faces that are there twice, as
+    {!Twice.single} has it. A face without an area goes, and its neighbours take in its corners ({!Slivers}). If
+    each face is there from both sides, the first of both stays. Vertices that no face uses are dropped, but
     not in a cloud, which has no faces. *)
 
 val has_faces_twice : Polyhedron.ifs -> bool

@@ -155,4 +155,6 @@ let merge (ifs : Polyhedron.ifs) =
   let faces = Array.map snd ifs.ifs_faces in
   let table = directed faces in
   let group = groups points faces table in
-  compact ifs (without_straight_corners points (outlines faces table group))
+  (* What was on a line has two corners left, and so each of its neighbours has the edge between them. *)
+  let proper (_, corners) = Array.length corners >= 3 in
+  compact ifs (List.filter proper (without_straight_corners points (outlines faces table group)))

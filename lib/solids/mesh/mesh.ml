@@ -76,6 +76,18 @@ let unknown ~path text =
     say "the format of this mesh file is not known"
       ~hint:("the formats are told by the ending of the name: " ^ known)
 
+(* Texts of programs that write UTF-16 or compress them. *)
+let wrapped ~path text =
+  let say ~hint fault = Some (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" fault) in
+  let begins = List.exists (fun prefix -> String.starts_with ~prefix text) in
+  let ends = Filename.check_suffix (String.lowercase_ascii path) in
+  let plain = List.exists ends [ ".x3d"; ".x3dv"; ".wrl"; ".off"; ".obj" ] in
+  if plain && begins [ "\xff\xfe"; "\xfe\xff"; "<\000"; "\000<" ] then
+    say "the text is in UTF-16, which is not read" ~hint:"save it as UTF-8"
+  else if plain && begins [ "\x1f\x8b" ] then
+    say "the file is compressed" ~hint:"decompress it, by gunzip for instance"
+  else None
+
 let check ~path ((set : Polyhedron.ifs), warnings) =
   if Array.length set.ifs_vertices = 0 && Array.length set.ifs_faces = 0 then
     Error (Diag.error Code.bad_mesh (Span.of_file path) "the file has no faces and no points")
@@ -94,6 +106,7 @@ let read ~files ~path text =
     | None when not (is_drawing ~path text) -> by_text text
     | found -> found
   in
-  match reader with
-  | Some read -> Result.bind (read ~files ~path text) (check ~path)
-  | None -> unknown ~path text
+  match (wrapped ~path text, reader) with
+  | Some d, _ -> Error d
+  | None, Some read -> Result.bind (read ~files ~path text) (check ~path)
+  | None, None -> unknown ~path text

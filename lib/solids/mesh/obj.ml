@@ -5,6 +5,11 @@ type state = {
   vertices : Scc_exact.Vec.t list;  (* in reverse order *)
   count : int;
   left_out : word option;  (* the first line or point *)
+  odd : word option;
+  (* the first normal or place in a picture that is none, or that a face names and is not there *)
+  textures : int;
+  normals : int;
+  named : (word * int * [ `Texture | `Normal ]) list;  (* further on in the file, perhaps *)
   objects : string option;  (* the one that faces now belong to *)
   groups : string option;
   faces : (string option * (word * int) array) list;
@@ -43,6 +48,37 @@ let vertex_statement ~path keyword state words =
     else error ~path w "the weight of a vertex must be 1"
   | _ -> error ~path keyword "expected the three coordinates of a vertex on this line"
 
+let note state w = if Option.is_some state.odd then state else { state with odd = Some w }
+
+(* What a corner names beside its vertex: a place in a picture and a normal, neither of which moves anything. *)
+let beside ~path state w =
+  let one state (what, count) text =
+    if String.equal text "" then Ok state
+    else
+      let* i = integer ~path ~what:"an index" { w with text } in
+      let known = match what with `Texture -> state.textures | `Normal -> state.normals in
+      if i = 0 || -i > known then Ok (note state w)
+      else if i > count then Ok { state with named = (w, i, what) :: state.named }
+      else Ok state
+  in
+  match List.tl (String.split_on_char '/' w.text) with
+  | [] -> Ok state
+  | [ texture ] -> one state (`Texture, state.textures) texture
+  | [ texture; normal ] ->
+    let* state = one state (`Texture, state.textures) texture in
+    one state (`Normal, state.normals) normal
+  | _ -> error ~path w "a corner has at most three indices: %s" (quote w.text)
+
+(* A normal, a place in a picture, or a parameter of a curve. *)
+let numbers_statement state keyword words =
+  let n = List.length words in
+  let right = match keyword.text with "vn" -> n = 3 | _ -> n >= 1 && n <= 3 in
+  let state = if right && List.for_all is_number words then state else note state keyword in
+  match keyword.text with
+  | "vn" -> { state with normals = state.normals + 1 }
+  | "vt" -> { state with textures = state.textures + 1 }
+  | _ -> state
+
 let corner ~path state w =
   let index =
     match String.index_opt w.text '/' with
@@ -58,6 +94,7 @@ let corner ~path state w =
 
 let face_statement ~path keyword state words =
   let* corners = Result.all (corner ~path state) words in
+  let* state = List.fold_left (fun state w -> Result.bind state (fun s -> beside ~path s w)) (Ok state) words in
   match corners with
   | _ :: _ :: _ :: _ -> 
     let label = match state.groups with Some _ as g -> g | None -> state.objects in
@@ -75,6 +112,7 @@ let statement ~path state = function
       | "g", _ -> Ok { state with groups = first words }
       | "o", _ -> Ok { state with objects = first words; groups = None }
       | _, Some Read -> face_statement ~path keyword state words
+      | ("vn" | "vt" | "vp"), _ -> Ok (numbers_statement state keyword words)
       | _, Some Still -> Ok state
       | _, Some Left_out ->
         Ok (if Option.is_some state.left_out then state else { state with left_out = Some keyword })
@@ -103,13 +141,30 @@ let read ~path text =
         | Ok state -> go state next
         | Error _ as e -> e)
   in
-  let* state = go { vertices = []; count = 0; left_out = None; objects = None; groups = None; faces = [] } 0 in
+  let start =
+    {
+      vertices = []; count = 0; left_out = None; odd = None; textures = 0; normals = 0; named = [];
+      objects = None; groups = None; faces = [];
+    }
+  in
+  let* state = go start 0 in
   if state.count = 0 then error_at ~path 0 "the file has no vertices"
   else
     let* faces = Result.all (resolve ~path state.count) (List.rev state.faces) in
-    let warning w =
-      Diag.warning Code.mesh_left_out
-        (Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text))
-        ~hint:"nothing has to be done if the faces alone are meant" "lines and points are left out"
+    let warning w ?hint what =
+      let span = Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text) in
+      Diag.warning Code.mesh_left_out span ?hint "%s" what
     in
-    Ok (labelled state.vertices (List.rev faces), Option.to_list (Option.map warning state.left_out))
+    let hint = "nothing has to be done if the faces alone are meant" in
+    let lines w = warning w ~hint "lines and points are left out" in
+    let absent (_, i, what) = i > match what with `Texture -> state.textures | `Normal -> state.normals in
+    let odd =
+      match (state.odd, List.find_opt absent (List.rev state.named)) with
+      | None, Some (w, _, _) -> Some w
+      | found, _ -> found
+    in
+    let beside w =
+      warning w "normals and places in pictures that are none, or that are not there, here the first, are left out"
+    in
+    let found = Option.to_list (Option.map lines state.left_out) @ Option.to_list (Option.map beside odd) in
+    Ok (labelled state.vertices (List.rev faces), found)

@@ -46,6 +46,7 @@ let header_line ~path (format, elements) line =
   in
   match line with
   | { text = "comment" | "obj_info"; _ } :: _ -> Ok (format, elements)
+  | { text = "format"; _ } as w :: _ when Option.is_some format -> error ~path w "the line `format` is there twice"
   | [ { text = "format"; _ }; w; version ] ->
     let* e = encoding ~path w in
     if String.equal version.text "1.0" then Ok (Some e, elements)
@@ -178,14 +179,17 @@ let ascii ~path text position =
   let warnings () =
     let one found what = Option.to_list (Option.map (fun w -> left_out_at ~path w what) found) in
     one !beyond "values of faces after those that the header declares, here the first, are left out"
-    @ one !odd "values beyond the types of their properties, here the first, are left out"
+    @ one !odd "values that are not of the types of their properties, here the first, are left out"
   in
   (* What is not read changes nothing. *)
   let skip kind =
     let note w =
-      match int_of_string_opt w.text with
-      | Some i when Option.is_none !odd && not (fits kind i) -> odd := Some w
-      | Some _ | None -> ()
+      let fine =
+        match kind with
+        | Real _ -> is_number w
+        | Signed _ | Unsigned _ -> Result.is_ok (whole ~path kind w)
+      in
+      if Option.is_none !odd && not fine then odd := Some w
     in
     Result.map note (word ())
   in

@@ -8,7 +8,7 @@ and target = Field of node * string | Instance | Nobody of string
 
 type route = { place : Text.word; from : string; node : string; field : string }
 
-type file = { nodes : node list; changes : change list }
+type file = { nodes : node list; changes : change list; length : Scc_exact.Rat.t }
 
 exception Refused of Diag.t
 

@@ -21,7 +21,11 @@ and target = Field of node * string | Instance | Nobody of string
 (** A route, with its place, from a node to a field of a node. *)
 type route = { place : Text.word; from : string; node : string; field : string }
 
-type file = { nodes : node list; changes : change list }
+type file = {
+  nodes : node list;
+  changes : change list;
+  length : Scc_exact.Rat.t;  (** the unit of length, in metres, as {!Scene_unit.length} has it *)
+}
 
 exception Refused of Diag.t
 (** A fault, located in the file. *)

@@ -65,6 +65,7 @@ type t = {
   loaded : (string, file) Hashtbl.t;  (* by its path *)
   mutable all : (string * file) list;  (* the last one first *)
   mutable around : string list;  (* the files whose Inlines are being shown *)
+  mutable length : Rat.t;  (* the unit of the file of what is shown *)
   room : int ref;
   mutable count : int;
   mutable points : Vec.t list;
@@ -182,6 +183,19 @@ let inline t (node : node) =
   in
   first None urls
 
+(* A place within another one. *)
+let inner t place (node : node) own level =
+  let map = Affine.compose place.map own in
+  if Affine.too_long map then
+    bad ~path:t.path node.kind "the numbers of transforms inside of each other get too long";
+  { map; levels = level :: place.levels }
+
+let scaled t place node factor =
+  if Rat.equal factor Rat.one then place
+  else
+    let own = { Affine.identity with linear = Mat.diagonal (Vec.make factor factor factor) } in
+    inner t place node own { off = Rat.zero; factor; centre = Rat.zero; shift = Rat.zero }
+
 let rec show t ?(in_shape = false) depth place ~name node =
   spend ~path:t.path t.room node.kind 1;
   if depth > max_depth then
@@ -201,10 +215,7 @@ let rec show t ?(in_shape = false) depth place ~name node =
       | Group -> List.iter (within place ~name:None) (inside t [ "shape"; "children" ] node)
       | Transform ->
         let own, level = transform ~path:t.path node in
-        let map = Affine.compose place.map own in
-        if Affine.too_long map then
-          bad ~path:t.path node.kind "the numbers of transforms inside of each other get too long";
-        let place = { map; levels = level :: place.levels } in
+        let place = inner t place node own level in
         List.iter (within place ~name:None) (inside t [ "children" ] node)
       | Switch ->
         let shown = chosen t node in
@@ -218,12 +229,15 @@ let rec show t ?(in_shape = false) depth place ~name node =
           match if F.truth ~path:t.path node "load" then inline t node else None with
           | None -> t.hidden <- Some (seen t node.kind)
           | Some (path, file) ->
-            let outer = t.path and around = t.around in
+            let outer = t.path and around = t.around and length = t.length in
             t.path <- path;
             t.around <- outer :: around;
+            t.length <- file.length;
+            let place = scaled t place node (Rat.div file.length length) in
             List.iter (within place ~name:None) file.nodes;
             t.path <- outer;
-            t.around <- around)
+            t.around <- around;
+            t.length <- length)
       | Shape -> shape (within ~in_shape:true) t place node
       | Geometry -> check_in_shape t ~in_shape node; geometry t place ~name node
       | Points -> bad ~path:t.path node.kind "points stand in the `coord` of a shape, and not here")
@@ -327,7 +341,8 @@ let read ~files ~scene ~path text =
     let file = scene ~path text room in
     let t =
       {
-        path; files; scene; loaded = Hashtbl.create 8; all = [ (path, file) ]; around = []; room; count = 0;
+        path; files; scene; loaded = Hashtbl.create 8; all = [ (path, file) ]; around = [];
+        length = file.length; room; count = 0;
         points = []; faces = []; near = None; left_out = None; alone = None; hidden = None;
       }
     in

@@ -44,7 +44,14 @@ let facet ~path ~last text position =
   let* last, _, position = expect ~path ~last text position [ "endfacet" ] in
   Ok ((a, b, c), last, position)
 
+(* A normal is three numbers, or left out. The corners say what it is. *)
+let is_normal = function
+  | [] -> true
+  | w :: numbers ->
+    String.equal (keyword w) "normal" && List.compare_length_with numbers 3 = 0 && List.for_all is_number numbers
+
 let ascii ~path text soup =
+  let odd = ref None in
   let rec between last position =
     match next_line text position with
     | None -> (
@@ -58,7 +65,8 @@ let ascii ~path text soup =
     match next_line text position with
     | None -> error ~path last "the file ends before `endsolid`"
     | Some (w :: _, next) when String.equal (keyword w) "endsolid" -> between (Some w) next
-    | Some (w :: _, next) when String.equal (keyword w) "facet" -> (
+    | Some (w :: normal, next) when String.equal (keyword w) "facet" -> (
+        if Option.is_none !odd && not (is_normal normal) then odd := Some w;
         match facet ~path ~last:w text next with
         | Ok ((a, b, c), last, next) ->
           add soup a b c;
@@ -67,7 +75,12 @@ let ascii ~path text soup =
     | Some (w :: _, _) -> error ~path w "expected `facet` or `endsolid`, found %s" (quote w.text)
     | Some ([], _) -> Bug.fail __POS__ "a line without words"
   in
-  between None 0
+  let warning (w : word) =
+    Diag.warning Code.mesh_left_out
+      (Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text))
+      "normals that are not three numbers, here the first, are left out"
+  in
+  Result.map (fun () -> Option.to_list (Option.map warning !odd)) (between None 0)
 
 (* {1 Binary: 80 bytes of comment, the number of triangles, 50 bytes for each} *)
 
@@ -140,7 +153,7 @@ let read ~path text =
   let* warnings =
     if n >= 84 && n = 84 + (50 * promised) then read_binary ~path text promised soup
     else if is_text && (starts_solid || String.equal (String.trim text) "") then
-      Result.map (fun () -> []) (ascii ~path text soup)
+      ascii ~path text soup
     else if n < 84 then error_at ~path 0 "expected `solid`, or the 84 bytes of a binary header"
     else read_binary ~path text promised soup
   in

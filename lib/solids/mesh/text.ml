@@ -48,8 +48,10 @@ let error ~path word fmt = fail ~path word.start (word.start + String.length wor
 let error_at ~path offset fmt = fail ~path offset offset fmt
 
 let quote s =
-  let cut = if String.length s > 40 then String.sub s 0 40 ^ "..." else s in
-  "`" ^ String.escaped cut ^ "`"
+  (* Not within a character. *)
+  let rec stop i = if i > 0 && Char.code s.[i] land 0xc0 = 0x80 then stop (i - 1) else i in
+  let cut = if String.length s > 40 then String.sub s 0 (stop 40) ^ "..." else s in
+  "`" ^ Visible.line cut ^ "`"
 
 let max_digits = 1000
 let is_digit c = c >= '0' && c <= '9'
@@ -87,6 +89,11 @@ let coordinate ~path w =
       | Error Rat.Too_large -> too_long ()
       | Error Rat.Zero_denominator -> error ~path w "a fraction with the denominator zero"
       | Error Rat.Malformed -> not_number ())
+
+let is_number w =
+  match String.lowercase_ascii w.text with
+  | "nan" | "-nan" | "+nan" | "inf" | "-inf" | "+inf" | "infinity" | "-infinity" -> true
+  | s -> ( match Rat.of_literal (with_zeros s) with Ok _ | Error Rat.Too_large -> true | Error _ -> false)
 
 let coordinates ~path words =
   match words with

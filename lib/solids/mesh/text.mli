@@ -31,6 +31,9 @@ val coordinate : path:string -> word -> (Rat.t, Diag.t) result
 (** The exact value of a decimal. Beyond [Rat.of_literal], a point may lead or end the digits, as C prints and
     reads them. Fractions [p/q] are read too. *)
 
+val is_number : word -> bool
+(** [is_number w] is true for numbers of {!coordinate}, of any length, and for those that are not finite. *)
+
 val coordinates : path:string -> word list -> (Vec.t, Diag.t) result
 (** The point given by the first three words, which exist (a bug otherwise). *)
 

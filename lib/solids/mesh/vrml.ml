@@ -41,6 +41,7 @@ type reader = {
   room : int ref;  (* for the bodies of prototypes *)
   mutable left : word list;
   names : Scene.names;
+  units : Scene_unit.t;
   mutable routes : Scene.route list;
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
@@ -50,8 +51,8 @@ type reader = {
 (* The words of a body, and the prototypes that it can use: those declared before it. *)
 and body = { words : word list; length : int; known : (string * body Scene.prototype) list }
 
-let reader ~path ~room ~prototypes ~fields left =
-  { path; room; left; names = Scene.names (); routes = []; changes = []; prototypes; fields }
+let reader ~path ~room ~units ~prototypes ~fields left =
+  { path; room; left; names = Scene.names (); units; routes = []; changes = []; prototypes; fields }
 
 (* {1 Words} *)
 
@@ -120,7 +121,7 @@ let other_statement r =
   | { text = "PROFILE" | "COMPONENT"; _ } :: _ :: rest | { text = "META"; _ } :: rest ->
     after rest (fun () -> ignore (plain r []))
   | ({ text = "UNIT"; _ } as at) :: { text = category; _ } :: _ :: factor :: rest ->
-    after rest (fun () -> Scene_unit.check ~path:r.path at ~category ~factor)
+    after rest (fun () -> Scene_unit.state r.units ~path:r.path at ~category ~factor)
   | { text = "EXPORT"; _ } :: _ :: { text = "AS"; _ } :: _ :: rest | { text = "EXPORT"; _ } :: _ :: rest ->
     after rest ignore
   | _ -> false
@@ -164,7 +165,7 @@ and any r depth at kind name =
     let fields = Scene.given ~path:r.path kind fields (own_fields r depth at kind) in
     Scene.spend ~path:r.path r.room kind body.length;
     let prototypes = Scene.within kind.text body.known in
-    let inner = reader ~path:r.path ~room:r.room ~prototypes ~fields:(Some fields) body.words in
+    let inner = reader ~path:r.path ~room:r.room ~units:r.units ~prototypes ~fields:(Some fields) body.words in
     let node =
       match contents inner (depth + 1) with
       | (node : Scene.node) :: _ -> { node with name = (if Option.is_some name then name else node.name) }
@@ -291,14 +292,23 @@ and list r depth at =
     | w :: _ -> Scene.bad ~path:r.path w "expected a number or `]`, found %s" (quote w.text)
     | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
 
-(* Both formats say in their first line what they are. *)
+(* Both formats say in their first line what they are. A comment may follow. *)
+let is_header head =
+  let line = List.hd (String.split_on_char '\n' (String.map (function '\r' -> '\n' | c -> c) head)) in
+  let words = String.split_on_char ' ' (String.map (function '\t' -> ' ' | c -> c) line) in
+  let version v = String.length v = 4 && List.mem (String.sub v 0 3) [ "V3."; "V4." ] in
+  match List.filter (fun w -> w <> "") words with
+  | "#VRML" :: "V2.0" :: "utf8" :: _ -> true
+  | "#X3D" :: v :: "utf8" :: _ -> version v && v.[3] >= '0' && v.[3] <= '9'
+  | _ -> false
+
 let check_header ~path text =
   let head = String.trim (String.sub text 0 (min 80 (String.length text))) in
   let starts prefix = String.starts_with ~prefix head in
   let refuse ~hint what =
     raise (Scene.Refused (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" what))
   in
-  if starts "#VRML V2.0" || starts "#X3D V" then ()
+  if is_header head then ()
   else if starts "#VRML V1" || starts "#Inventor" then
     refuse "VRML 1 files are not supported" ~hint:"convert the file to VRML 2 (VRML97), X3D, PLY or OFF"
   else if starts "\x1F\x8B" then refuse "the file is compressed" ~hint:"decompress it, by gunzip for instance"
@@ -308,6 +318,6 @@ let check_header ~path text =
 
 let scene ~path text room =
   check_header ~path text;
-  let r = reader ~path ~room ~prototypes:[] ~fields:None (tokens text) in
+  let r = reader ~path ~room ~units:(Scene_unit.none ()) ~prototypes:[] ~fields:None (tokens text) in
   let nodes = contents r 0 in
-  { Scene.nodes; changes = all_changes r }
+  { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }

@@ -15,6 +15,7 @@ type reader = {
   text : string;
   room : int ref;  (* for the bodies of prototypes *)
   names : Scene.names;
+  units : Scene_unit.t;
   mutable routes : Scene.route list;
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
@@ -61,7 +62,7 @@ let route r tag =
 let unit_of r tag =
   let text = needed r tag "conversionFactor" in
   let start = match attribute tag "conversionFactor" with Some a -> fst a.value | None -> tag.name.start in
-  Scene_unit.check ~path:r.path tag.name ~category:(needed r tag "category") ~factor:{ text; start }
+  Scene_unit.state r.units ~path:r.path tag.name ~category:(needed r tag "category") ~factor:{ text; start }
 
 (* {1 Nodes} *)
 
@@ -97,6 +98,9 @@ let finish r element =
     | Some a -> (
         let name = { text = Scene.ok (Xml_tags.value ~path:r.path r.text a); start = fst a.value } in
         let node = Scene.used ~path:r.path r.names name in
+        if not (is "ProtoInstance" tag || String.equal node.kind.text tag.name.text) then
+          Scene.bad ~path:r.path tag.name "%s is the name of a node %s, and this is a %s" (quote name.text)
+            node.kind.text tag.name.text;
         match (fields r tag, List.rev element.inside) with
         | [], [] -> put r element role node
         | (w, _) :: _, _ | [], (w, _) :: _ ->
@@ -133,6 +137,17 @@ let check_container r (tag : tag) =
   if List.mem name r.containers then Scene.bad ~path:r.path tag.name "the element %s is there twice" name;
   r.containers <- name :: r.containers
 
+(* What these elements say of the file. *)
+let check_own r (tag : tag) =
+  let of_file = [ "profile"; "version"; "xmlns"; "id"; "class"; "style" ] in
+  let prefixes = [ "xmlns:"; "xsd:"; "xsi:"; "xml:" ] in
+  let known a = List.mem a of_file || List.exists (fun prefix -> String.starts_with ~prefix a) prefixes in
+  match List.find_opt (fun a -> not (known a.key.text)) tag.attributes with
+  | None -> ()
+  | Some a ->
+    Scene.unread ~path:r.path a.key ~hint:"remove it if it changes nothing"
+      "%s has no attribute %s that is known here" tag.name.text (quote a.key.text)
+
 let stray_text r (tag : tag) =
   Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
 
@@ -144,7 +159,7 @@ let characters r tag =
 
 let start r (tag : tag) =
   let container = List.mem tag.name.text containers in
-  if container then check_container r tag else check_in_scene r tag;
+  if container then (check_container r tag; check_own r tag) else check_in_scene r tag;
   let name = if container || Option.is_some (attribute tag "USE") then None else value r tag "DEF" in
   check_depth r tag;
   Scene.opening r.names name;
@@ -216,6 +231,8 @@ let rec contents r ~of_element tags =
     | (tag : tag) :: rest -> (
         match tag.name.text with
         | "ROUTE" -> check_in_scene r tag; route r tag; go (after r tag rest)
+        | "IMPORT" as name ->
+          Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure name) "`IMPORT` is not read"
         | "unit" -> unit_of r tag; go (after r tag rest)
         | "ProtoDeclare" -> check_in_scene r tag; go (declare r tag rest)
         | "ExternProtoDeclare" ->
@@ -328,9 +345,12 @@ and expand r tag ~prototype inside fields body =
 let scene ~path text room =
   let r =
     {
-      path; text; room; names = Scene.names (); routes = []; changes = []; prototypes = []; fields = None;
+      path; text; room; names = Scene.names (); units = Scene_unit.none ();
+      routes = []; changes = []; prototypes = []; fields = None;
       opened = []; depth = 0; containers = [];
     }
   in
-  let nodes = contents r ~of_element:"" (Scene.ok (Xml_tags.tags ~path text)) in
-  { Scene.nodes; changes = all_changes r }
+  let tags = Scene.ok (Xml_tags.tags ~path text) in
+  Scene.ok (Xml_tags.well_formed ~path text tags);
+  let nodes = contents r ~of_element:"" tags in
+  { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }

@@ -52,6 +52,7 @@ let rec children t f =
     f tag;
     children t f
   | `El_end -> ()
+  | `Data text when String.trim text <> "" -> fail t "a text, %s, stands where only elements do" (Text.quote text)
   | `Data _ | `Dtd _ -> children t f
 
 let skip t =

@@ -23,7 +23,8 @@ let rec attributes ~path name text acc i =
   let i = skip text is_space i in
   if i >= String.length text then error ~path name "the tag %s does not end" (quote name.text)
   else if text.[i] = '>' then Ok (List.rev acc, i + 1)
-  else if not (is_name text.[i]) then attributes ~path name text acc (i + 1)
+  else if text.[i] = '/' && i + 1 < String.length text && text.[i + 1] = '>' then Ok (List.rev acc, i + 2)
+  else if not (is_name text.[i]) then error_at ~path i "%C does not stand in a tag" text.[i]
   else
     let stop = skip text is_name i in
     let equals = skip text is_space stop in
@@ -163,3 +164,24 @@ let words ~path text attribute =
     let* value, place = decoded ~path text start stop in
     Ok (List.map (fun w -> { w with start = place w.start }) (split value 0 (String.length value)))
   | Some _ | None -> Ok (split text start stop)
+
+let well_formed ~path text tags =
+  let names = List.sort compare in
+  let rec twice = function
+    | (a : word) :: ((b : word) :: _ as rest) -> if String.equal a.text b.text then Some b else twice rest
+    | [ _ ] | [] -> None
+  in
+  let attribute a =
+    let start, stop = a.value in
+    let* _ = value ~path text a in
+    match String.index_from_opt text start '<' with
+    | Some i when i < stop -> error_at ~path i "a `<` stands in the value of an attribute: write &lt;"
+    | Some _ | None -> Ok ()
+  in
+  let tag t =
+    let* _ = Result.all attribute t.attributes in
+    match twice (names (List.map (fun a -> a.key) t.attributes)) with
+    | Some key -> error ~path key "the attribute %s is there twice" (quote key.text)
+    | None -> Ok ()
+  in
+  Result.map ignore (Result.all tag tags)

@@ -23,3 +23,7 @@ val value : path:string -> string -> attribute -> (string, Diag.t) result
 
 val words : path:string -> string -> attribute -> (Text.word list, Diag.t) result
 (** [words ~path text attribute] are the words of {!value}, separated by blanks, line ends and commas. *)
+
+val well_formed : path:string -> string -> tag list -> (unit, Scc_base.Diag.t) result
+(** [well_formed ~path text tags] is an error (SC0320) if an attribute is there twice in a tag, or has a value
+    that is none in XML: with a [<], or with a reference that XML does not know. *)

@@ -46,3 +46,10 @@ let fit text ~inside box =
   | Even { left; top; slice } ->
     let s = if slice then Rat.max across down else Rat.min across down in
     placed s s left top
+
+let unfit text ~inside box =
+  let { Plane_map.a; d; e; f; _ } = fit text ~inside box in
+  {
+    x = Rat.div (Rat.sub inside.x e) a; y = Rat.div (Rat.sub inside.y f) d; width = Rat.div inside.width a;
+    height = Rat.div inside.height d;
+  }

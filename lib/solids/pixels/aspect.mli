@@ -14,5 +14,8 @@ val fit : string option -> inside:box -> box -> Plane_map.t
     [preserveAspectRatio], without which it is [xMidYMid meet]. The box has no side of length 0. Raises
     {!Svg_number.Bad}. *)
 
+val unfit : string option -> inside:box -> box -> box
+(** [unfit ratio ~inside box] is what {!fit} takes to [inside]. No side has the length 0. *)
+
 val check : string -> unit
 (** [check text] raises {!Svg_number.Bad} if the text is no value of [preserveAspectRatio]. *)

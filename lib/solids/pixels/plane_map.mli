@@ -28,12 +28,9 @@ val scaling : Rat.t -> Rat.t -> t
 val translation : Rat.t -> Rat.t -> t
 (** [translation x y] adds [x] and [y] to the coordinates. *)
 
-val cos_sin : Rat.t -> point
-(** The cosine and the sine of an angle in degrees, as {!Angle.cos_sin} gives them. *)
-
 val rotation : Rat.t -> t
-(** The rotation by an angle in degrees, with the numbers of {!cos_sin}. It takes the x axis towards the y
-    axis. *)
+(** The rotation by an angle in degrees, with the numbers of {!Scc_exact.Angle.cos_sin}. It takes the x axis
+    towards the y axis. *)
 
 val skewing : [ `X | `Y ] -> Rat.t -> t option
 (** The skewing along an axis by an angle in degrees; [None] for right angles. *)

@@ -9,6 +9,10 @@ let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
 
 let word text i = Int32.to_int (String.get_int32_be text i) land 0xffffffff
 
+(* A picture cannot be read without the chunks whose names begin with a capital letter. *)
+let is_critical kind = kind.[0] >= 'A' && kind.[0] <= 'Z'
+let known = [ "IHDR"; "PLTE"; "IDAT"; "IEND" ]
+
 (* Those of one kind after the other, up to the end of the picture. *)
 let chunks text =
   let n = String.length text in
@@ -22,7 +26,12 @@ let chunks text =
         if crc <> word text (i + 8 + length) then bad "has a wrong checksum in the chunk %S" kind
         else
           let found = (kind, (i + 8, length)) :: found in
-          if String.equal kind "IEND" then List.rev found else go (i + 12 + length) found
+          let stop = i + 12 + length in
+          if String.equal kind "IEND" then
+            if stop < n then bad "has %s after its end" (Scc_base.Plural.count (n - stop) "byte" "bytes")
+            else List.rev found
+          else if is_critical kind && not (List.mem kind known) then bad "has the unknown critical chunk %S" kind
+          else go (i + 12 + length) found
   in
   go 8 []
 
@@ -63,8 +72,10 @@ let size h (x, y, dx, dy) =
   let columns = count x dx h.width and rows = count y dy h.height in
   if columns = 0 then 0 else rows * (1 + row_bytes h columns)
 
-(* Inflates all IDAT chunks to as many bytes as there have to be; what comes after them is not looked at. *)
+(* Inflates all IDAT chunks to as many bytes as there have to be. *)
 let inflate text found expected =
+  let size = expected in
+  let expected = expected + 1 in
   let out = Bytes.create expected in
   let stream = Zlib.inflate_init true in
   let written = ref 0 and finished = ref false in
@@ -85,7 +96,8 @@ let inflate text found expected =
        try List.iter (fun (kind, part) -> if String.equal kind "IDAT" then feed part) found
        with Zlib.Error (_, why) ->
          bad "cannot be decompressed: %s" (if String.equal why "" then "faulty data" else why));
-  if !written < expected then bad "has fewer rows than its header says";
+  if !written < size then bad "has fewer rows than its header says";
+  if !written > size then bad "has more rows than its header says";
   out
 
 let paeth a b c =

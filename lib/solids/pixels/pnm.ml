@@ -48,7 +48,8 @@ let fill (r : Raster.t) ~channels ~greatest sample start =
        else
          let green = next () in
          (first lsl 16) lor (green lsl 8) lor next ())
-  done
+  done;
+  !position
 
 let bits (r : Raster.t) text start =
   let row = (r.width + 7) / 8 in
@@ -57,7 +58,8 @@ let bits (r : Raster.t) text start =
     let x = k mod r.width and y = k / r.width in
     let byte = Char.code text.[start + (y * row) + (x / 8)] in
     r.colours.(k) <- (if byte land (128 lsr (x land 7)) <> 0 then 0 else 0xffffff)
-  done
+  done;
+  start + (row * r.height)
 
 (* A plain bitmap needs no blanks between its digits. *)
 let digits (r : Raster.t) text start =
@@ -67,7 +69,14 @@ let digits (r : Raster.t) text start =
     position := i + 1;
     r.colours.(k) <-
       (match text.[i] with '0' -> 0xffffff | '1' -> 0 | _ -> raise (Bad "has something else than 0 and 1"))
-  done
+  done;
+  !position
+
+(* After the samples there may be blanks and comments. *)
+let check_end text i =
+  match skip text i with
+  | _ -> raise (Bad "has more samples than its header says, or more than one picture")
+  | exception Bad _ -> ()
 
 let binary text ~greatest i =
   let byte i = if i < String.length text then Char.code text.[i] else raise (Bad "ends too early") in
@@ -84,11 +93,12 @@ let picture ~path text =
   let r = Raster.create ~width ~height in
   Bytes.fill r.alphas 0 (width * height) '\255';
   let channels = if kind = '3' || kind = '6' then 3 else 1 in
-  (match kind with
-   | '1' -> digits r text i
-   | '4' -> bits r text (i + 1)
-   | '2' | '3' -> fill r ~channels ~greatest (number text) i
-   | _ -> fill r ~channels ~greatest (binary text ~greatest) (i + 1));
+  check_end text
+    (match kind with
+     | '1' -> digits r text i
+     | '4' -> bits r text (i + 1)
+     | '2' | '3' -> fill r ~channels ~greatest (number text) i
+     | _ -> fill r ~channels ~greatest (binary text ~greatest) (i + 1));
   Ok r
 
 let read ~path text =

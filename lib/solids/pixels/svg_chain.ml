@@ -4,15 +4,12 @@ open Svg_curve
 type strand = { places : Plane_map.point list; leaves : Plane_map.point; arrives : Plane_map.point }
 type line = { strands : strand list; start : Plane_map.point; closed : bool }
 
-let fine (x, y) =
-  let quantum = Rat.make Z.one (Z.of_int (1 lsl 20)) in
-  (Rat.round_to x ~quantum, Rat.round_to y ~quantum)
-
 (* [here] and [start] are in units of the drawing; strands and lines are in reverse. *)
 type pen = {
   map : Plane_map.t;
   share : int;
   half : Rat.t;
+  check : Plane_map.point -> unit;
   budget : Svg_polygon.budget;
   mutable here : Plane_map.point;
   mutable start : Plane_map.point;
@@ -22,6 +19,14 @@ type pen = {
 }
 
 let on p place = Plane_map.apply p.map place
+
+(* The bits by which directions count: those of the angle by which a normal may be off, twice. *)
+let turning (p : pen) = 2 * Rat.log_above (Rat.mul p.half (Rat.of_int p.share))
+
+(* Places are so near that chords which [first] cuts keep their directions. *)
+let fine p (x, y) =
+  let quantum = Rat.power_of_two (-(20 + turning p)) in
+  (Rat.round_to x ~quantum, Rat.round_to y ~quantum)
 
 (* A normal of the length [half] turns by half |d x c| / (|d| |c|) at most, between the directions d and c. *)
 let near (p : pen) d c =
@@ -47,7 +52,7 @@ let put p ~leaves ~arrives places =
 let curve p ~place ~middle ~leaves ~arrives parameters stop =
   let there = first p ~place ~middle leaves parameters in
   let last = first p ~place ~middle:(fun a b -> middle b a) (Rat.of_int (-1) *: arrives) (List.rev there) in
-  let inner = match last with [] -> [] | _ :: before -> List.rev_map (fun t -> fine (place t)) before in
+  let inner = match last with [] -> [] | _ :: before -> List.rev_map (fun t -> fine p (place t)) before in
   let inner = match inner with [] -> [] | _ :: after -> after in
   Svg_polygon.spend p.budget (List.length inner);
   put p ~leaves ~arrives ((on p p.here :: inner) @ [ on p stop ])
@@ -58,6 +63,7 @@ let bezier_curve p controls stop =
                                                                                               points)) points in
   match (away points, away (List.rev points)) with
   | Some leaves, Some back ->
+    check_places ~check:p.check points;
     let n = pieces ~share:p.share points in
     Svg_polygon.spend p.budget n;
     let parameters = List.init (n + 1) (fun i -> Rat.make (Z.of_int i) (Z.of_int n)) in
@@ -65,21 +71,25 @@ let bezier_curve p controls stop =
       parameters stop
   | _ -> ()
 
-let arc_curve p ({ map; start; stop = last; forward } : circular) stop =
-  let map = Plane_map.compose p.map map in
-  let halvings = halvings ~share:p.share map in
-  Svg_polygon.spend p.budget (1 lsl halvings);
-  let middle u v = middle ~forward u v in
-  let halve parameters =
-    let add found v = match found with [] -> [ v ] | u :: _ -> v :: middle u v :: found in
-    List.rev (List.fold_left add [] parameters)
-  in
-  let rec halved k parameters = if k = 0 then parameters else halved (k - 1) (halve parameters) in
-  let along (x, y) = if forward then (Rat.neg y, x) else (y, Rat.neg x) in
+(* By how much a map changes angles at most, in bits. *)
+let skew (m : Plane_map.t) =
+  let area = Rat.sub (Rat.mul m.a m.d) (Rat.mul m.b m.c) and most = Plane_map.stretch m in
+  if Rat.sign area = 0 then 0 else Rat.log_above (Rat.div (Rat.mul most most) area)
+
+let arc_curve p (c : circular) stop =
+  let map = Plane_map.compose p.map c.map in
+  let points = arc_points ~share:p.share ~check:p.check map c in
+  Svg_polygon.spend p.budget (List.length points);
+  let along (x, y) = if c.forward then (Rat.neg y, x) else (y, Rat.neg x) in
   let direction u = Plane_map.apply map (along u) -: Plane_map.apply map (Rat.zero, Rat.zero) in
-  curve p ~place:(Plane_map.apply map) ~middle ~leaves:(direction start) ~arrives:(direction last)
-    (halved halvings [ start; last ])
-    stop
+  curve p ~place:(Plane_map.apply map) ~middle:(middle c) ~leaves:(direction c.start) ~arrives:(direction c.stop)
+    points stop
+
+let arc p (arc : Svg_segment.arc) stop ~straight =
+  let extra = turning p + (2 * skew p.map) in
+  match circular ~stretch:(Plane_map.stretch p.map) ~extra p.here arc with
+  | None -> straight stop
+  | Some c -> arc_curve p c stop
 
 let straight p place =
   Svg_polygon.spend p.budget 1;
@@ -106,14 +116,18 @@ let segment p (segment : Svg_segment.t) =
   | Line place -> goes (straight p) place
   | Curve controls -> goes (bezier_curve p controls) (List.nth controls (List.length controls - 1))
   | Arc a ->
-    goes (fun stop -> match circular p.here a with None -> straight p stop | Some c -> arc_curve p c stop) a.stop
+    goes (arc p a ~straight:(straight p)) a.stop
   | Close ->
     goes (straight p) p.start;
     finish p ~closed:true
 
-let lines ~budget ~share ~half map outline =
+let lines ~budget ~check ~share ~half map outline =
   let origin = (Rat.zero, Rat.zero) in
-  let p = { map; share; half; budget; here = origin; start = origin; begun = false; strands = []; lines = [] } in
+  let p =
+    {
+      map; share; half; check; budget; here = origin; start = origin; begun = false; strands = []; lines = [];
+    }
+  in
   outline (segment p);
   finish p ~closed:false;
   List.rev p.lines

@@ -16,9 +16,15 @@ type line = {
 }
 
 val lines :
-  budget:Svg_polygon.budget -> share:int -> half:Rat.t -> Plane_map.t -> Svg_segment.outline -> line list
-(** [lines ~budget ~share ~half m outline] are the images under [m] of the lines of an outline that have a
+  budget:Svg_polygon.budget ->
+  check:(Plane_map.point -> unit) ->
+  share:int ->
+  half:Rat.t ->
+  Plane_map.t ->
+  Svg_segment.outline ->
+  line list
+(** [lines ~budget ~check ~share ~half m outline] are the images under [m] of the lines of an outline that have a
     segment, if only one of length 0. Chords are within [1/share] of their curves. At both ends of a curve,
     chord and curve differ in direction so little that normals of the length [half] differ by at most [1/share]
-    (or by what thirty halvings leave). Raises {!Svg_number.Bad} if there are more places than the budget has.
-*)
+    (or by what thirty halvings leave). [check] is called with some places of each curve. Raises
+    {!Svg_number.Bad} if there are more places than the budget has. *)

@@ -17,17 +17,45 @@ let max_corners = 1_000_000
 
 (* {1 The picture} *)
 
+(* The sides of the whole drawing; none if one is not given, or as a share of what is around it. Browsers then take
+   the proportions of the viewBox. Sides in one unit have proportions even if the unit depends on a font. *)
+let sides root =
+  let side name =
+    match Option.map String.trim (Svg_tree.attribute root name) with
+    | None | Some "auto" -> None
+    | Some text -> ( match with_unit text with _, "%" -> None | q, unit -> Some (q, unit, text))
+  in
+  match (side "width", side "height") with
+  | Some (w, unit, _), Some (h, unit', _) when String.equal unit unit' -> Some (w, h)
+  | Some (_, _, w), Some (_, _, h) -> Some (length w, length h)
+  | None, _ | _, None -> None
+
+(* The viewBox, and what is seen: more than it one way if the sides have other proportions. *)
+let seen root =
+  let ratio = Svg_tree.attribute root "preserveAspectRatio" in
+  let whole width height = { Aspect.x = Rat.zero; y = Rat.zero; width; height } in
+  match Option.map Aspect.box (Svg_tree.attribute root "viewBox") with
+  | Some box -> (
+      let positive = List.for_all (fun q -> Rat.sign q > 0) in
+      match sides root with
+      | Some (width, height) when positive [ width; height; box.width; box.height ] ->
+        (box, Aspect.unfit ratio ~inside:(whole width height) box)
+      | Some _ | None -> (box, box))
+  | None -> (
+      let given name = Option.map length (Svg_tree.attribute root name) in
+      match (given "width", given "height") with
+      | Some width, Some height -> (whole width height, whole width height)
+      | _ -> raise (Bad "a drawing without a viewBox has to have a width and a height"))
+
+(* What is less than half of a pixel more than the viewBox comes from sides that are rounded. *)
+let close ~resolution (view : Aspect.box) (box : Aspect.box) =
+  let more = Rat.add (Rat.sub box.width view.width) (Rat.sub box.height view.height) in
+  Rat.compare (Rat.mul (Rat.of_int (2 * resolution)) more) (Rat.max view.width view.height) < 0
+
 (* Its size in pixels, the map to them, and the viewport in units of the drawing. *)
 let frame ~resolution ~path root =
-  let given name = Option.map length (Svg_tree.attribute root name) in
-  let box =
-    match Option.map Aspect.box (Svg_tree.attribute root "viewBox") with
-    | Some box -> box
-    | None -> (
-        match (given "width", given "height") with
-        | Some width, Some height -> { Aspect.x = Rat.zero; y = Rat.zero; width; height }
-        | _ -> raise (Bad "a drawing without a viewBox has to have a width and a height"))
-  in
+  let view, box = seen root in
+  let box = if close ~resolution view box then view else box in
   if Rat.sign box.width <= 0 || Rat.sign box.height <= 0 then raise (Bad "the drawing has no size");
   let scale = Rat.div (Rat.of_int resolution) (Rat.max box.width box.height) in
   let pixels q = max 1 (Z.to_int (Z.neg (Rat.floor (Rat.neg (Rat.mul scale q))))) in
@@ -36,7 +64,7 @@ let frame ~resolution ~path root =
   | Error d -> raise (Refused d)
   | Ok () ->
     let to_pixels = Plane_map.(compose (scaling scale scale) (translation (Rat.neg box.x) (Rat.neg box.y))) in
-    (Raster.create ~width ~height, to_pixels, { Svg_shape.width = box.width; height = box.height })
+    (Raster.create ~width ~height, to_pixels, { Svg_shape.width = view.width; height = view.height })
 
 (* {1 Elements} *)
 

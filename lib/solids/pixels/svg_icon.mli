@@ -11,5 +11,7 @@ val is : string -> bool
 (** [is text] is true if the text may be a drawing: it begins as XML. *)
 
 val read : resolution:int -> path:string -> string -> (Raster.t, Diag.t) result
-(** The picture of a drawing. The longer side of its viewBox, or else of its width and height, becomes
-    [resolution] pixels. Errors SC0340 and SC0341 are located in the file. Time and memory are bounded. *)
+(** The picture of a drawing. The longer side of what is seen becomes [resolution] pixels. That is the viewBox, or
+    else the width and height. If these have other proportions than the viewBox, by half of a pixel or more,
+    what is seen is longer one way, as [preserveAspectRatio] says. Errors SC0340 and SC0341 are located in the
+    file. Time and memory are bounded. *)

@@ -71,7 +71,7 @@ let draw p c command ~x ~y last =
   | 'Z' -> close p; Other
   | _ -> bad "path data with the unknown command %C" command
 
-let path text emit =
+let path_data text emit =
   let p = { emit; here = origin; start = origin } in
   let c = cursor text in
   let letter () =
@@ -98,6 +98,8 @@ let path text emit =
     next (Some command) (draw p c command ~x ~y last)
   in
   next None Other
+
+let path text emit = if not (String.equal (String.trim text) "none") then path_data text emit
 
 (* {1 Basic shapes} *)
 

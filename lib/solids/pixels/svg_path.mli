@@ -3,7 +3,8 @@
 open Scc_exact
 
 val path : string -> Svg_segment.outline
-(** [path data] is the outline of the data of a path, which are read each time that it is used. *)
+(** [path data] is the outline of the data of a path, which are read each time that it is used.
+    It is empty for [none]. *)
 
 val points : closed:bool -> Plane_map.point list -> Svg_segment.outline
 (** [points ~closed corners] is the line along these corners, and back to the first one if [closed]; nothing if

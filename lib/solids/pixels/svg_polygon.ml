@@ -25,6 +25,7 @@ let corner (x, y) =
 type pen = {
   map : Plane_map.t;
   budget : budget;
+  check : Plane_map.point -> unit;
   mutable here : Plane_map.point;
   mutable start : Plane_map.point;
   mutable corners : Plane_map.point list;
@@ -57,6 +58,7 @@ let share = 128
 let curve p controls =
   begun p;
   let points = List.map (fun q -> fine (Plane_map.apply p.map q)) (p.here :: controls) in
+  check_places ~check:p.check points;
   let n = pieces ~share points in
   for i = 1 to n do
     draw p (bezier (Rat.make (Z.of_int i) (Z.of_int n)) points)
@@ -64,25 +66,17 @@ let curve p controls =
   p.here <- List.nth controls (List.length controls - 1)
 
 let arc p (arc : Svg_segment.arc) =
-  match circular p.here arc with
+  match circular ~stretch:(Plane_map.stretch p.map) ~extra:0 p.here arc with
   | None -> if not (same p.here arc.stop) then line p arc.stop
-  | Some { map; start; stop; forward } ->
-    let map = Plane_map.compose p.map map in
-    let rec go k u v =
-      if k = 0 then draw p (Plane_map.apply map v)
-      else begin
-        let m = middle ~forward u v in
-        go (k - 1) u m;
-        go (k - 1) m v
-      end
-    in
+  | Some c ->
+    let map = Plane_map.compose p.map c.map in
     begun p;
-    go (halvings ~share map) start stop;
+    List.iter (fun u -> draw p (Plane_map.apply map u)) (List.tl (arc_points ~share ~check:p.check map c));
     p.here <- arc.stop
 
-let lines ~budget map outline =
+let drawn ~budget ~check map outline =
   let origin = (Rat.zero, Rat.zero) in
-  let p = { map; budget; here = origin; start = origin; corners = []; lines = [] } in
+  let p = { map; budget; check; here = origin; start = origin; corners = []; lines = [] } in
   outline (function
       | Svg_segment.Move place ->
         close p;
@@ -98,4 +92,6 @@ let lines ~budget map outline =
   close p;
   p.lines
 
-let filled ~budget map outline = List.map (List.map corner) (lines ~budget map outline)
+let lines ~budget map outline = drawn ~budget ~check:ignore map outline
+let check place = ignore (corner place)
+let filled ~budget map outline = List.map (List.map corner) (drawn ~budget ~check map outline)

@@ -16,6 +16,9 @@ val corner : Plane_map.point -> int * int
 (** The corner at a place in pixels. Raises {!Svg_number.Bad} if the place is farther than 2{^14} pixels from the
     picture. *)
 
+val check : Plane_map.point -> unit
+(** [check place] raises as {!corner} does. *)
+
 val filled : budget:budget -> Plane_map.t -> Svg_segment.outline -> polygon list
 (** [filled ~budget m outline] are the polygons inside the lines of an outline, each line closed. [m] is the map
     from the units of the drawing to pixels. *)

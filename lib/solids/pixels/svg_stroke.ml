@@ -206,7 +206,8 @@ let triangles ~budget map (stroke : t) outline =
   let p : pen = { map = Plane_map.compose map (Plane_map.scaling back back); half; stroke; budget; found = [] } in
   let dashed = stroke.dashes <> [] in
   (* With dashes, the lengths of chords count, so that they are half as long. *)
-  let lines = Svg_chain.lines ~budget ~share:(if dashed then 4 * each else each) ~half scaled outline in
+  let check place = Svg_polygon.check (Plane_map.apply p.map place) in
+  let lines = Svg_chain.lines ~budget ~check ~share:(if dashed then 4 * each else each) ~half scaled outline in
   let runs =
     if not dashed then fun (line : Svg_chain.line) ->
       [ (if line.closed then Svg_dash.Ring line.strands else Open line.strands) ]

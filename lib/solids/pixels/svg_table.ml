@@ -100,14 +100,16 @@ let unused =
 
 let of_all =
   words
-    "id class lang tabindex role autofocus pathLength requiredFeatures externalResourcesRequired nonce slot part \
+    "id class lang tabindex role autofocus pathLength externalResourcesRequired nonce slot part \
      about content datatype property rel resource rev typeof focusable focusHighlight t p-id"
 let prefixes = [ "nav-"; "data-"; "aria-"; "on"; "xmlns"; "xml:"; "xlink:" ]
+
+let conditions = words "requiredFeatures requiredExtensions systemLanguage requiredFonts requiredFormats"
 
 let attribute element name =
   let has table = List.mem name (words (Option.value (List.assoc_opt element table) ~default:"")) in
   if has geometry || String.equal name "style" then Read
   else if has unused || List.mem name of_all || List.exists (fun p -> begins p name) prefixes then Still
-  else if List.mem name (words "requiredExtensions systemLanguage requiredFonts requiredFormats") then
+  else if List.mem name conditions then
     Unread "what it shows depends on the reader: remove the attribute, or the element"
   else property name

@@ -71,8 +71,6 @@ let pass_over input =
 
 let rec root_tag input =
   match signal input with
-  | `Dtd (Some text) when String.contains text '[' -> raise (Unread
-                                                               "document types with declarations of their own")
   | `Dtd _ -> root_tag input
   | `El_start ((ns, "svg"), attributes) when ns = space || ns = "" -> attributes
   | _ -> raise (Unread "XML whose root is no svg element")
@@ -128,7 +126,14 @@ let iter f root =
   go [ root ]
 
 let read text =
-  let input = { xml = Xmlm.make_input (`String (0, text)); at = (1, 1) } in
+  let entities =
+    match Svg_entities.of_text text with
+    | Some found -> found
+    | None ->
+      let what = "document types with declarations of their own, but for entities with plain values" in
+      raise (Fault ((1, 1), Unread what))
+  in
+  let input = { xml = Xmlm.make_input ~entity:(Svg_entities.meaning entities) (`String (0, text)); at = (1, 1) } in
   let root =
     try
       let attributes = root_tag input in

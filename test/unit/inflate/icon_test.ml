@@ -273,6 +273,20 @@ let refused () =
   is "read" "a whole one" one;
   is "SC0340" "a wrong checksum" (String.mapi (fun i c -> if i = String.length one - 1 then 'x' else c) one);
   is "SC0340" "fewer rows" (header 9 9 ^ chunk "IDAT" (deflate "\000abc") ^ chunk "IEND" "");
+  is "SC0340" "more rows" (header 1 1 ^ chunk "IDAT" (deflate "\000abc\000abc") ^ chunk "IEND" "");
+  is "read" "one row" (header 1 1 ^ chunk "IDAT" (deflate "\000abc") ^ chunk "IEND" "");
+  is "SC0340" "an unknown critical chunk"
+    (header 1 1 ^ chunk "ABCD" "" ^ chunk "IDAT" (deflate "\000abc") ^ chunk "IEND" "");
+  is "read" "an unknown chunk" (header 1 1 ^ chunk "abCD" "" ^ chunk "IDAT" (deflate "\000abc") ^ chunk "IEND" "");
+  is "SC0340" "bytes after the end" (one ^ "x");
+  List.iter
+    (fun (name, text, more) ->
+       is "read" name text;
+       is "read" (name ^ ", and blanks") (text ^ "\n \n");
+       is "SC0340" (name ^ ", and more") (text ^ more))
+    [ ("P1", "P1 2 1 0 1", "1"); ("P2", "P2 1 1 9 4", " 5"); ("P3", "P3 1 1 9 1 2 3", " 1 2 3");
+      ("P4", "P4 1 1 a", "a"); ("P5", "P5 1 1 255 a", "a"); ("P6", "P6 1 1 255 abc", "P6 1 1 255 abc") ];
+  is "SC0341" "a condition" (svg "<rect requiredFeatures='a' width='9' height='9'/>");
   is "SC0340" "no compressed data" (header 9 9 ^ chunk "IDAT" "rubbish" ^ chunk "IEND" "");
   is "SC0340" "a colour that the palette has not"
     (png ~extra:(chunk "PLTE" "abc") ~width:1 ~height:1 ~kind:3 ~depth:8 ~interlaced:false (fun _ _ _ -> 1));
@@ -291,7 +305,21 @@ let refused () =
   is "SC0341" "a drawing that is stretched"
     "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 4 4' preserveAspectRatio='none'/>";
   is "SC0341" "text" (svg "<text>x</text>");
-  is "SC0341" "a document type of its own" ("<!DOCTYPE svg [<!ENTITY a 'aaaa'>]>" ^ svg "");
+  let declared d = "<?xml version='1.0'?><!-- a --><!DOCTYPE svg PUBLIC '-//a' 'b' [" ^ d ^ "]>" in
+  List.iter
+    (fun d -> is "SC0341" ("a document type with " ^ d) (declared d ^ svg ""))
+    [
+      "<!ENTITY a '&b;'>"; "<!ENTITY a '<'>"; "<!ENTITY a SYSTEM 'b'>"; "<!ENTITY % a 'b'>";
+      "<!ELEMENT svg ANY>";
+    ];
+  is "read" "entities, as programs write them"
+    (declared "\n<!ENTITY ns_svg \"http://www.w3.org/2000/svg\">\n<!-- x -->\n<!ENTITY w '9'>\n"
+     ^ "<svg xmlns='&ns_svg;' viewBox='0 0 9 9'><rect width='&w;' height='&w;'/></svg>");
+  is "SC0340" "an entity again and again"
+    (declared ("<!ENTITY a '" ^ String.make 100_000 'a' ^ "'>")
+     ^ svg (String.concat "" (List.init 200 (fun _ -> "<title>&a;</title>"))));
+  is "SC0341" "UTF-16" "\xff\xfe<\000s\000"; is "SC0341" "compressed" "\x1f\x8b\008\000";
+  is "read" "an empty path" (svg "<path d='none'/><rect width='9' height='9'/>");
   is "SC0340" "an entity" (svg "<title>&a;</title>");
   is "SC0340" "a path" (svg "<path d='M0 0 L1'/>");
   is "SC0340" "far away" (svg "<path d='M0 0 L1e9 1e9z'/>");

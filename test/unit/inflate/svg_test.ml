@@ -35,6 +35,32 @@ let references () =
   area "percentages" "<svg x='10%' y='50%' width='50%' height='50%'><rect x='50%' width='50%' \
                       height='50%'/></svg>" (box 14. 15. 24. 22.5)
 
+(* What is seen beside the viewBox of a whole drawing, by its width, height and alignment: the size in pixels and
+   how many are painted. *)
+let viewports () =
+  let check name attributes expected =
+    let text =
+      Printf.sprintf
+        "<svg xmlns='http://www.w3.org/2000/svg' %s><rect x='4' y='-4' width='12' height='18'/></svg>" attributes
+    in
+    let r = ok ~resolution:20 name text in
+    let painted = ref 0 in
+    Bytes.iter (fun c -> if c <> '\000' then incr painted) r.alphas;
+    Alcotest.(check (triple int int int)) name expected (r.width, r.height, !painted)
+  in
+  let wide = "viewBox='0 0 20 10'" in
+  let square = "width='20' height='20' " ^ wide in
+  check "the viewBox alone" wide (20, 10, 120); check "one side" (wide ^ " width='7'") (20, 10, 120);
+  check "a share" (wide ^ " width='7' height='100%'") (20, 10, 120);
+  check "its proportions" (wide ^ " width='2in' height='1in'") (20, 10, 120);
+  check "its proportions, in units of a font" (wide ^ " width='2em' height='1em'") (20, 10, 120);
+  check "its proportions, rounded" (wide ^ " width='33.34mm' height='16.66mm'") (20, 10, 120);
+  check "a square" square (20, 20, 216);
+  check "at the top" (square ^ " preserveAspectRatio='xMidYMin'") (20, 20, 168);
+  check "at the bottom" (square ^ " preserveAspectRatio='xMaxYMax meet'") (20, 20, 168);
+  check "in other units" (wide ^ " width='1in' height='96'") (20, 20, 216);
+  check "longer" (wide ^ " width='40' height='10' preserveAspectRatio='xMinYMid'") (20, 5, 30)
+
 let clips () =
   let clip inner = Printf.sprintf "<clipPath id='c'>%s</clipPath>" inner in
   area "clip" (clip "<circle cx='20' cy='15' r='5'/>" ^ "<rect width='40' height='15' clip-path='url(#c)'/>")
@@ -191,7 +217,7 @@ let () =
   let case name f = Alcotest.test_case name `Quick f in
   Alcotest.run "svg"
     [
-      ("structure", [ case "references" references; case "clips" clips ]);
+      ("structure", [ case "references" references; case "viewports" viewports; case "clips" clips ]);
       ("styles", [ case "colours" colours; case "sheets" sheets ]);
       ("refused", [ case "faults" refused; case "bombs" bombs ]);
     ]

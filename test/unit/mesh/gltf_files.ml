@@ -36,7 +36,8 @@ let glb ?(version = 2) json data =
   let padded s = s ^ String.make (-String.length s land 3) ' ' in
   Buffer.add_string b "glTF";
   Buffer.add_int32_le b (Int32.of_int version);
-  Buffer.add_int32_le b 0l;
+  let padded_size = (String.length json + 3) land lnot 3 in
+  Buffer.add_int32_le b (Int32.of_int (28 + padded_size + String.length data));
   chunk 0x4E4F534Al (padded json);
   chunk 0x004E4942l data;
   Buffer.contents b
@@ -95,7 +96,12 @@ let bad =
     ("glTF 1", "t.gltf", "{\"asset\":{\"version\":\"1.0\"}}", "1:1 SC0320");
     ("glTF, too deep", "t.gltf", "{\"a\":" ^ String.make 1_000_000 '[', "1:1 SC0320");
     ("GLB 1", "t.glb", glb ~version:1 (gltf_json ()) "", "1:5 SC0320");
-    ("GLB cut short", "t.glb", String.sub (glb (gltf_json ()) "") 0 100, "1:13 SC0320");
+    ("GLB, a wrong length", "t.glb",
+     (let file = glb (gltf_json ~uri:false ()) gltf_data in
+      String.sub file 0 8 ^ "\000\000\000\000" ^ String.sub file 12 (String.length file - 12)), "1:9 SC0320");
+    ("glTF, no such material", "t.gltf", gltf_json ~mode:",\"material\":0" (), "1:1 SC0320");
+    ("glTF, no such camera", "t.gltf", gltf_json ~node:",\"camera\":0" (), "1:1 SC0320");
+    ("GLB cut short", "t.glb", String.sub (glb (gltf_json ()) "") 0 100, "1:12 SC0320");
     ("glTF without its data", "t.gltf", gltf_json ~uri:false (), "1:1 SC0320");
     ("glTF, more than the view has", "t.gltf", gltf_json ~count:13 (), "1:1 SC0320");
     ("glTF, a huge count", "t.gltf", gltf_json ~count:2_000_000_000 (), "1:1 SC0320");

@@ -291,6 +291,10 @@ let effects =
       are");
     ("a stride of indices", set [ K "bufferViews"; I 1; K "byteStride" ] (`Int 4),
      "error bufferViews[1]: indices follow each other, without a stride");
+    ("a stride of 0", set [ K "bufferViews"; I 0; K "byteStride" ] (`Int 0),
+     "error bufferViews[0]: the stride of a view is a multiple of 4 from 4 to 252, and not 0");
+    ("normalized floats", set (accessor @ [ K "normalized" ]) (`Bool true),
+     "error accessors[0]: floats (type 5126) are not normalized");
     ("sparse indices", sparse_indices, full);
     ("no sparse values", set (accessor @ [ K "sparse"; K "count" ]) (`Int 0), "(0, 0, 0) (9, 9, 9) no solid");
     ("places that do not increase", equal_places,

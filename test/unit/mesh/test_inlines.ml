@@ -15,6 +15,11 @@ let files =
     ("other.x3d", "<Scene><Inline url='one.wrl'/></Scene>");
     ("bad.wrl", head ^ "Shape { geometry Box { size 1 } }");
     ("no.wrl", "nothing"); ("empty.wrl", head); ("unread.wrl", head ^ "Shape { geometry NurbsSweptSurface { } }");
+    ("cm.x3dv", "#X3D V3.3 utf8\nPROFILE Interchange\nUNIT length cm 0.01\n" ^ shape);
+    ( "mm.x3d",
+      "<X3D><head><unit category='length' name='mm' conversionFactor='1e-3'/></head><Scene><Inline \
+       url='cm.x3dv'/></Scene></X3D>" );
+    ("km.x3dv", "#X3D V3.3 utf8\nUNIT length km 1000\nUNIT mass t 1000\n" ^ inline "mm.x3d");
     ("round.wrl", head ^ "Shape { geometry Sphere { } }");
   ]
 
@@ -55,6 +60,16 @@ let cases =
     ("nearly", inline "round.wrl" ^ shape, "SC0323 in round.wrl");
     ("not loaded", "Inline { load FALSE url \"box.wrl\" }", "SC0320 in t.wrl");
     ("not visible", "Inline { visible FALSE url \"bad.wrl\" }" ^ shape, "6 faces from -1");
+    ("in another unit", inline "cm.x3dv", "6 faces from -1/100");
+    ( "in units of units", "Transform { translation 1 0 0 children " ^ inline "mm.x3d" ^ " }",
+      "6 faces from 99/100" );
+    ("a unit of what is around", "UNIT length mm 0.001 " ^ inline "box.wrl", "6 faces from -1000");
+    ("its own unit alone", "UNIT length mm 0.001 " ^ shape, "6 faces from -1");
+    ("one unit after the other", "UNIT length mm 0.001 " ^ inline "km.x3dv" ^ shape, "12 faces from -10");
+    ("twice a unit", "UNIT length mm 0.001 UNIT length cm 0.01 " ^ shape, "SC0320 in t.wrl");
+    ("a unit of 0", "UNIT length mm 0 " ^ shape, "SC0320 in t.wrl");
+    ("a negative unit", "UNIT mass kg -1 " ^ shape, "SC0320 in t.wrl");
+    ("an unknown unit", "UNIT time s 1 " ^ shape, "SC0320 in t.wrl");
     ("empty", inline "empty.wrl" ^ shape, "6 faces from -1"); ("no url", "Inline { }" ^ shape, "6 faces from -1");
   ]
 

@@ -272,7 +272,7 @@ let bad =
     ("XYZ, two coordinates", "t.xyz", "0 0 0\n1 2\n", "2:1 SC0320");
     ("XYZ, a wrong count", "t.xyz", "3\n0 0 0\n1 2 3\n", "1:1 SC0320");
     ("XYZ, a header", "t.xyz", "0 0 0\nx y z\n", "2:1 SC0320");
-    ("XYZ, atoms", "t.xyz", "1\nO 0 0 0\n", "2:1 SC0320");
+    ("XYZ, atoms", "t.xyz", "1\nO 0 0 0\n", "1:1 SC0320");
     ("XYZ, commas", "t.xyz", "0 0 0\n1,2,3\n", "2:1 SC0320");
     ("XYZ, one word", "t.xyz", "points\n", "1:1 SC0320");
     ("X3D, an unknown entity", "t.x3d", "<Scene><IndexedFaceSet coordIndex='0 &dash;1'/></Scene>", "1:38 SC0320");

@@ -72,13 +72,13 @@ let statements =
   let words text = String.split_on_char ' ' text in
   let added code k = (k, obj ~more:(k ^ " 1 2\n") (), code) in
   let still =
-    "s usemtl mtllib usemap maplib vt vn vp mg lod bevel c_interp d_interp shadow_obj trace_obj ctech stech g o"
+    "s usemtl mtllib usemap maplib vt vp mg lod bevel c_interp d_interp shadow_obj trace_obj ctech stech g o"
   in
   let refused =
     "curv curv2 surf parm trim hole scrv sp end con cstype deg bmat step bsp bzp cdc cdp res call csh frob V F"
   in
   List.map (added full) (words still)
-  @ List.map (added (full ^ " SC0324")) [ "l"; "p" ]
+  @ List.map (added (full ^ " SC0324")) [ "l"; "p"; "vn" ]
   @ List.map (added "SC0320 9:1") (words refused)
 
 let all_statements () =
@@ -96,8 +96,21 @@ let objs =
     ("faces first",
      lines (List.map (fun f -> "f " ^ numbers (List.map succ f)) faces @ List.map (fun v -> "v " ^ v) corners),
      full);
-    ("textures and normals", obj ~face:(fun f -> "f " ^ with_more "/1/1" f) (), full);
-    ("normals alone", obj ~face:(fun f -> "f " ^ with_more "//1" f) (), full);
+    ("textures and normals", obj ~first:"vt 0\nvn 0 0 1\n" ~face:(fun f -> "f " ^ with_more "/1/1" f) (), full);
+    ("normals alone", obj ~face:(fun f -> "f " ^ with_more "//1" f) ~more:"vn 0 0 nan\n" (), full);
+    ("normals that are not there", obj ~face:(fun f -> "f " ^ with_more "//1" f) (), full ^ " SC0324");
+  ]
+  @ List.map
+    (fun more ->
+       let face f = "f " ^ with_more more f in
+       ("f 1" ^ more, obj ~first:"vt 0 0\nvn 0 0 1\n" ~face (), full ^ " SC0324"))
+    [ "/99"; "/0/0"; "/1/99"; "/-9/1"; "//-2" ]
+  @ List.map
+    (fun more -> ("f 1" ^ more, obj ~face:(fun f -> "f " ^ with_more more f) (), "SC0320 5:3"))
+    [ "/abc"; "/1/x"; "/1/1/1"; "/1.5" ]
+  @ List.map (fun line -> (line, obj ~more:(line ^ "\n") (), full ^ " SC0324"))
+    [ "vn a b c"; "vn 0 0"; "vn"; "vt abc"; "vt 0 0 0 0"; "vt"; "vp x" ]
+  @ [
     ("a face outline", obj ~face:(fun f -> "fo " ^ numbers (List.map succ f)) (), full);
     ("continued lines", obj ~face:(fun f -> "f \\\n" ^ with_more " \\\n" f) (), full);
     ("a comment that is continued", obj ~first:"# a \\\nv 9 9 9\n" (), "(0, 0, 0) (9, 9, 9) no solid");
@@ -185,6 +198,12 @@ let plys =
     ("plain", ply plain, full); ("another name", ply ~face:"property list uchar int vertex_index" plain, full);
     ("other properties", ply ~vertex:(xyz ^ "\nproperty uchar red\nproperty list uchar float more")
        (with_vertex " 255 2 0.5 0.5"), full);
+    ("values that are no numbers",
+     ply ~vertex:(xyz ^ "\nproperty float nx") (with_vertex " abc"), full ^ " SC0324");
+    ("whole values that are none",
+     ply ~vertex:(xyz ^ "\nproperty int id") (with_vertex " 1.5"), full ^ " SC0324");
+    ("values that are not finite", ply ~vertex:(xyz ^ "\nproperty float nx") (with_vertex " nan"), full);
+    ("two formats", ply ~format:"ascii 1.0\nformat ascii 1.0" plain, "SC0320 3:1");
     ("another order", ply ~vertex:"property float z\nproperty float x\nproperty float y"
        (lines ([ "0 0 0"; "0 1.25 0"; "0 0 1"; "2 0 0" ] @ List.map (fun f -> "3 " ^ numbers f) faces)), full);
     ("comments", ply ~element:"comment x\nobj_info num_cols 512\n" plain, full);

@@ -187,6 +187,18 @@ let refusals =
      "SC0320 2:1");
     ("no axis", "t.wrl", "#VRML V2.0 utf8\nTransform { rotation 0 0 0 1 }", "SC0320 2:1");
     ("a bent grid", "t.wrl", heights "0 0 0 1", "SC0323"); ("a flat grid", "t.wrl", heights "0 1 2 3", "");
+    ("a tag with a sign", "t.x3d", "<Scene><Shape><Box size='1 1 1'<></Shape></Scene>", "SC0320 1:32");
+    ("a slash within a tag", "t.x3d", "<Scene><Shape><Box / size='1 1 1'/></Shape></Scene>", "SC0320 1:20");
+    ("a `<` in a value", "t.x3d", "<Scene><Shape><Box id='<'/></Shape></Scene>", "SC0320 1:24");
+    ("a reference that does not end", "t.x3d", "<X3D version='3&0'><Scene/></X3D>", "SC0320 1:16");
+    ("an unknown reference", "t.x3d", "<Scene><Shape id='&a;'><Box/></Shape></Scene>", "SC0320 1:19");
+    ("an attribute twice", "t.x3d", "<X3D version='3.0' version='3.0'/>", "SC0320 1:20");
+    ("an attribute of X3D", "t.x3d", "<X3D foo='1'><Scene/></X3D>", "SC0321 1:6");
+    ("an attribute of the scene", "t.x3d", "<X3D><Scene DEF='a'/></X3D>", "SC0321 1:13");
+    ("another element used", "t.x3d", "<Scene><Group DEF='A'/><Transform USE='A'/></Scene>", "SC0320 1:25");
+    ("a header without its blank", "t.wrl", "#VRML V2.0utf8\n", "SC0321 1:1");
+    ("another encoding", "t.wrl", "#VRML V2.0 utf9\n", "SC0321 1:1");
+    ("a later version", "t.x3dv", "#X3D V9.9 utf8\n", "SC0321 1:1");
     ("declarations", "t.x3d", "<!DOCTYPE X3D [ <!ENTITY a 'b'> ]><X3D/>", "SC0320 1:1");
   ]
 
