@@ -106,5 +106,6 @@ let hint ~vertex ~face = function
     Some
       "if its decimals are rounded and the solid is convex: `snap 1e-5` after a mesh, or scc shape --snap 1e-5, \
        finds an exact one; of other solids, export the faces as triangles"
-  | Separate_solids _ -> Some "make a template of each, and glue them in a compound"
+  | Separate_solids _ ->
+    Some "make a template of each, and glue them in a compound; what is hollow inside is cut up by `decompose`"
   | _ -> None

@@ -44,7 +44,7 @@ let read ~path text =
   | Some ([ head ], next) when is_of_atoms text next ->
     error ~path head "files of atoms are not read: here each line is to have the three coordinates of a point"
   | Some ([ head ], next) ->
-    let* promised = integer ~path ~what:"the coordinates of a point, or the number of points," head in
+    let* promised = integer ~path ~what:"the coordinates of a point, or the number of points" head in
     let* list, count = points ~path text next in
     if promised <> count then error ~path head "the file promises %d points, but has %d" promised count
     else Ok (ifs list [])
