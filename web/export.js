@@ -182,10 +182,11 @@ const Export = (() => {
   const quoted = (text) => (/^[\w./=-]+$/.test(text) ? text : `'${text.replace(/'/g, "'\\''")}'`);
 
   /**
-   * The run up to what is shown, as a schedule; null where a check or first choices lead to it.
+   * The run up to what is shown, as a schedule; null where first choices lead to it. A check does not: alone it may be
+   * explored with other reductions, and show another run.
    */
   function schedule() {
-    const { run, course, legs, data, between } = player, plain = run.check !== null || run.name === "first choices" || run.sample;
+    const { run, course, legs, data, between } = player, plain = run.name === "first choices" || run.sample;
     const last = legs === course.legs.length || between || Rational.sign(course.legs[legs].duration) > 0;
     if (plain && last && !run.way && run.contrast === undefined) return null;
     const steps = run.steps.filter((step) => !step.tail).slice(0, between ? legs + 1 : legs);
@@ -201,7 +202,7 @@ const Export = (() => {
   function command(wanted) {
     const { data, run, time } = player, { width, height } = frame({ ...wanted, kind: "svg" }), own = schedule();
     const given = own ? [] : Object.entries({ ...data.parameters, ...run.values }).map(([name, value]) => `-D ${quoted(`${name}=${value}`)}`);
-    const which = own ? [`--schedule ${quoted(stem() + ".json")}`] : run.check && !run.sample ? [`--check ${quoted(run.name)}`] : [];
+    const which = own ? [`--schedule ${quoted(stem() + ".json")}`] : [];
     const size = `${Math.round(width)}x${Math.round(height)}`;
     const link = `camera=${encodeURIComponent(JSON.stringify(scene.camera()))}&size=${size}`;
     return ["scc view", quoted(data.name), ...given, ...which, `--svg ${Exactly.text(time)}`,
