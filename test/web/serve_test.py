@@ -173,6 +173,31 @@ def half_heads(served):
         one.close()
 
 
+def bodies_that_do_not_come(served):
+    """Who is not admitted is answered at once, whatever was promised; who is, after the seconds for a body."""
+    def sent(path, *headers):
+        s = socket.create_connection(('127.0.0.1', served.port), HANG)
+        s.sendall('\r\n'.join([f'POST {path} HTTP/1.1', f'Host: 127.0.0.1:{served.port}', *headers, '', '']).encode())
+        return s
+
+    def status(s):
+        with s:
+            return int(s.makefile('rb').readline().split()[1])
+
+    json = 'Content-Type: application/json'
+    for what, wanted, path, *headers in [
+            ('no secret', 403, '/x', 'Content-Length: 50000'), ('a length below 0', 400, served.root, 'Content-Length: -5'),
+            ('no secret, in parts', 403, '/x', 'Transfer-Encoding: chunked'),
+            ('a length in words', 400, served.root, 'Content-Length: many'),
+            ('a body that does not come', 408, served.root + 'ask', json, 'Content-Length: 50000')]:
+        same(f'status for {what}', status(sent(path, *headers)), wanted)
+    many = [sent('/x', 'Content-Length: 50000') for _ in range(300)]
+    begun = time.monotonic()
+    same('others are heard beside them', served.ask('GET', '')[0], 200)
+    check('at once', time.monotonic() - begun < 8, time.monotonic() - begun)
+    same('they have their answers', {status(s) for s in many}, {403})
+
+
 def repeated_headers(served):
     """Of headers that can have one value, two are refused, also where they are alike."""
     def status(method, *headers):
@@ -454,6 +479,7 @@ def main(scc, folder):
     large_requests(served)
     strange_heads(served)
     half_heads(served)
+    bodies_that_do_not_come(served)
     repeated_headers(served)
     same('the end', served.end(), 0)
     saving(scc, folder)

@@ -17,6 +17,7 @@ type conn = {
   mutable first : int;
   mutable last : int;
   mutable heard : heard;
+  over : unit Lwt.t * unit Lwt.u;  (** resolved when no more is heard: nobody waits for what does not come *)
 }
 
 type ic = conn
@@ -60,7 +61,7 @@ let refill c =
   let more n = if n = 0 then `Eof else `Ok in
   match c.heard with
   | No_more -> Lwt.return `Eof
-  | Body -> Lwt.map more (receive c)
+  | Body -> Lwt.pick [ Lwt.map more (receive c); Lwt.map (fun () -> `Eof) (fst c.over) ]
   | Head room when room <= 0 -> too_long ()
   | Head room ->
     let* n = receive c in
@@ -113,7 +114,8 @@ let hear_body c = c.heard <- Body
 
 let hear_no_more c =
   c.first <- c.last;
-  c.heard <- No_more
+  c.heard <- No_more;
+  if Lwt.is_sleeping (fst c.over) then Lwt.wakeup_later (snd c.over) ()
 
 (* Whether a request comes is not waited for any longer: its connection ends without an answer. *)
 let head_is_late ~head_seconds c =
@@ -121,7 +123,8 @@ let head_is_late ~head_seconds c =
   match c.heard with Head _ -> Lwt.return_unit | Body | No_more -> fst (Lwt.task ())
 
 let attend ~head_seconds ~seconds handle socket =
-  let c = { socket; bytes = Bytes.create (2 * piece); first = 0; last = 0; heard = Head most_of_head } in
+  let bytes = Bytes.create (2 * piece) in
+  let c = { socket; bytes; first = 0; last = 0; heard = Head most_of_head; over = Lwt.wait () } in
   let out = Lwt_io.of_fd ~mode:Lwt_io.output socket in
   Lwt.finalize
     (fun () ->

@@ -211,30 +211,47 @@ let repeated request =
   let is_repeated name = List.compare_length_with (Header.get_multi (Request.headers request) name) 1 > 0 in
   List.find_opt is_repeated [ "Host"; "Origin"; "Content-Type"; "Content-Length"; "Transfer-Encoding" ]
 
-let answer t request body =
-  match (repeated request, granted t request, Request.meth request) with
-  | Some name, _, _ ->
-    now (refused `Bad_request (Printf.sprintf "the request has more than one header `%s`" name))
-  | None, Error why, _ -> now (refused `Forbidden why)
-  | None, Ok path, `GET -> get t path
-  | None, Ok _, `POST when not (is_json request) -> now (refused `Unsupported_media_type "a request is JSON")
-  | None, Ok path, `POST -> (
+let has_a_length request =
+  let is_digit c = c >= '0' && c <= '9' in
+  match Header.get (Request.headers request) "content-length" with
+  | Some text -> String.length text > 0 && String.for_all is_digit text
+  | None -> true
+
+let admitted t request =
+  match (repeated request, granted t request) with
+  | Some name, _ -> Error (refused `Bad_request (Printf.sprintf "the request has more than one header `%s`" name))
+  | None, Error why -> Error (refused `Forbidden why)
+  | None, Ok _ when not (has_a_length request) ->
+    Error (refused `Bad_request "the header `Content-Length` is no number")
+  | None, Ok path -> Ok path
+
+let answer t request path body =
+  match Request.meth request with
+  | `GET -> get t path
+  | `POST when not (is_json request) -> now (refused `Unsupported_media_type "a request is JSON")
+  | `POST -> (
       let* body = read_body body in
       match body with Ok body -> post t path body | Error a -> now a)
-  | None, Ok _, _ -> now (refused `Method_not_allowed "GET and POST are what can be asked")
+  | _ -> now (refused `Method_not_allowed "GET and POST are what can be asked")
 
-(* Each connection is for one request, so that none stays open for nothing: it hears no more. *)
+let guarded f =
+  Lwt.catch f (fun e ->
+      match Scc_system.Resources.refused e with
+      | Some what -> now (refused `Service_unavailable what)
+      | None -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
+
+(* Each connection is for one request, so that none stays open for nothing: it hears no more. What somebody sends who
+   is not admitted is not waited for. *)
 let callback t (connection, _) request body =
-  Connections.hear_body connection;
   let* a =
-    Lwt.catch
-      (fun () -> answer t request body)
-      (fun e ->
-         match Scc_system.Resources.refused e with
-         | Some what -> now (refused `Service_unavailable what)
-         | None -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
+    match admitted t request with
+    | Error a -> now a
+    | Ok path ->
+      Connections.hear_body connection;
+      let* a = guarded (fun () -> answer t request path body) in
+      let* () = in_time ~late:() (fun () -> Cohttp_lwt.Body.drain_body body) in
+      now a
   in
-  let* () = in_time ~late:() (fun () -> Cohttp_lwt.Body.drain_body body) in
   Connections.hear_no_more connection;
   respond a
 
