@@ -346,7 +346,8 @@ def silhouettes(b, scc):
 def by_schedule(b, scc):
     """A run of one's own is drawn by its schedule, and so is a state before the last one of its instant."""
     b.open(scc.view(HEXOKINASE))
-    same('the run of a check needs none', b.js('return scc.schedule()'), None)
+    whole = b.js('return scc.schedule()')
+    same('the run of a check, as it is shown', len(whole['choices']), b.state()['legs'])
     b.js('scc.go(2)')
     run = b.js('return scc.schedule()')
     same('a state within an instant', len(run['choices']), 2)
@@ -472,7 +473,7 @@ def dialog(b, scc):
     check('how large it is', 'pixels' in b.text('export-told'), b.text('export-told'))
     Select(b.find('export-kind')).select_by_value('svg')
     command = b.text('export-command')
-    check('the command', command.startswith('scc view hexokinase.sc ') and ' --check surely --svg 2 ' in command, command)
+    check('the command', command.startswith('scc view hexokinase.sc ') and ' --schedule hexokinase.json --svg 2 ' in command, command)
     Select(b.find('export-kind')).select_by_value('film')
     check('how long it is', ' 13.0 s ' in b.text('export-told'), b.text('export-told'))
     b.keys(Keys.ESCAPE)

@@ -42,19 +42,26 @@ let course console (o : Viewed.options) watch time =
       | None -> Error (no_run name)
       | Some w -> Ok (known (of_witness point w)))
 
-(* Where nothing happens any more, time goes on. *)
+(* A run may end while time passes: behind its end time goes on until something happens. *)
 let at course time =
   let end_ = Course.duration course and semantics = Course.semantics course in
   if Rat.compare time end_ <= 0 then Ok (Course.at course time)
   else
-    let last = Course.at course end_ in
-    if Network.quiescent semantics last then Ok (Time.pass semantics (Rat.sub time end_) last)
-    else
+    let last = Course.at course end_ and further = Rat.sub time end_ in
+    let over () =
       Error
         [
           Diag.error Code.bad_value Span.command_line "the run is over at time %s, before time %s"
             (Rat.to_string end_) (Rat.to_string time);
         ]
+    in
+    if Network.quiescent semantics last then Ok (Time.pass semantics further last)
+    else
+      let passes (t : Transition.t) = Transition.is_time t.label in
+      match (Network.successors semantics last, Time.delay semantics last) with
+      | Ok next, Some longest when List.exists passes next && Rat.compare further longest < 0 ->
+        Ok (Time.pass semantics further last)
+      | _ -> over ()
 
 let state console o watch time =
   let* families, course = course console o watch time in
