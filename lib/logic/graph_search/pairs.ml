@@ -213,18 +213,23 @@ let[@inline] is_crowded ~parts ~of_ used index = of_ * used > parts * Array1.dim
 let want_room s =
   if Shared_memory.read s.header wants_room = 0 then Shared_memory.write s.header wants_room 1
 
-let number_of_many p s =
-  let used = Shared_memory.read s.header next_number in
-  if is_crowded ~parts:4 ~of_:5 used p.index then want_room s;
-  if is_crowded ~parts:15 ~of_:16 (used + (16 * numbers_at_once)) p.index then s.full ();
+let number_of_many s =
   if s.next = s.beyond then begin
     s.next <- Shared_memory.add s.header next_number numbers_at_once;
     s.beyond <- s.next + numbers_at_once
   end;
   s.next
 
+(* Before a pair is added, outside of the section in which it is: to make room may take long. *)
+let see_to_room p s =
+  if s.many && s.next = s.beyond then begin
+    let used = Shared_memory.read s.header next_number in
+    if is_crowded ~parts:4 ~of_:5 used p.index then want_room s;
+    if is_crowded ~parts:15 ~of_:16 (used + (16 * numbers_at_once)) p.index then s.full ()
+  end
+
 let number_for p s =
-  let id = if s.many then number_of_many p s else p.size in
+  let id = if s.many then number_of_many s else p.size in
   if (not s.many) && is_crowded ~parts:4 ~of_:5 id p.index then s.full ();
   if id >= Array1.dim p.flat then raise (Limits.Over Memory);
   id
@@ -265,7 +270,9 @@ let intern_key p k =
       let id = add p k (lnot id) in
       Scc_base.Critical.leave ();
       id
-    | Some s -> Scc_base.Critical.run (fun () -> add_shared p s k)
+    | Some s ->
+      see_to_room p s;
+      Scc_base.Critical.run (fun () -> add_shared p s k)
   end
 
 let touch p k = entry p.index (slot k (hash k) p.bits)
@@ -283,12 +290,15 @@ let refresh p =
 let is_room_wanted p =
   match p.shared with Some s -> Shared_memory.read s.header wants_room <> 0 | None -> false
 
+(* Where all have to stop for it, a small index grows by more at once. *)
+let small_bits = 20
+
 (* From what is in the old index: of the numbers that processes took, some have no pair. *)
 let enlarge_shared p =
   match p.shared with
   | None -> ()
   | Some s ->
-    let bits = p.bits + 1 in
+    let bits = if p.bits < small_bits then p.bits + 2 else p.bits + 1 in
     if bits >= Array.length s.indexes then raise (Limits.Over Memory);
     let index = s.indexes.(bits) in
     Array1.fill index (Int32.of_int free);
