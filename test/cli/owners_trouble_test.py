@@ -185,7 +185,7 @@ def parents():
                         ('{"peers":["x:-1"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
                         ('{"peers":["x:0x10"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
                         ('{"peers":["x:"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
-                        ('{"peers":["x:1"],"secret":"s","run":"1","order":"levels","states":0}', 'at least 1'),
+                        ('{"peers":["x:1"],"secret":"s","run":"1","order":"levels","states":0}', 'from 1 on'),
                         ('{"peers":["x:1","y:2"],"secret":"s","run":"1","order":"levels"}', '2 peers, and 1 owners'),
                         ('{"peers":["x:1"],"secret":"s","run":"1","order":"levels","every":1}', 'need a `folder')]:
         owner = One(1, 1)
