@@ -62,8 +62,8 @@ let end_pause bells = Shared_memory.write bells pause 0
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   type shared = { graph : Graph.t; common : Common.t; all_edges : bool; dull : int array -> bool }
 
-  (* Where little is left of the slot, or of the tables, the rest is left to others. Each answer is there for others
-     as soon as it is found. *)
+  (* Where little is left of the slot, or of the tables, the rest is left to others. Each answer is there for
+     others as soon as it is found. *)
   let find { graph; common; all_edges; dull } (slot : slot) ~enough ~each =
     let count = slot.{2} in
     let start = Unix.gettimeofday () in

@@ -384,6 +384,46 @@ let zigzags =
          Alcotest.(check (list string)) "the same notes" (kept_alone ()) (kept ()))
       [ (false, false, true); (true, false, true); (false, true, true); (false, false, false) ]
 
+(* After quick states come slow ones with many targets, and a bound on states ends the exploration among them. What
+   is expanded, anywhere, is hardly more than one process expands, and nobody waits for what is not needed. *)
+let slow_states () =
+  let quick = 30 and many = 60 in
+  let edges i =
+    if i < quick then [ ((2 * i) + 1, 1); ((2 * i) + 2, 1) ]
+    else if i < 100 then List.init many (fun k -> (100 + ((i - quick) * many) + k, 1))
+    else []
+  in
+  let toy = Array.init (100 + (100 * many)) (fun i -> Some (edges i)) in
+  let case =
+    {
+      toy; depth = None; time = None; states = Some 300;
+      by_time = false; keep_edges = true; sees_edges = true; reducing = false;
+    }
+  in
+  let count = Option.get (Scc_shared.Shared_memory.numbers 1) in
+  let dies s =
+    if s >= quick then begin
+      ignore (Scc_shared.Shared_memory.add count 0 1);
+      Unix.sleepf 0.1
+    end;
+    false
+  in
+  let measured expanding =
+    Scc_shared.Shared_memory.write count 0 0;
+    let start = Unix.gettimeofday () in
+    let text = told ~dies ~expanding case in
+    (text, Scc_shared.Shared_memory.read count 0, Unix.gettimeofday () -. start)
+  in
+  let alone, needed, seconds = measured Graph.here in
+  Alcotest.(check int) "by one process" 4 needed;
+  List.iter
+    (fun jobs ->
+       let text, begun, lasted = measured (by_crew jobs) in
+       Alcotest.(check bool) "it is the same" true (String.equal alone text);
+       if begun > needed + (2 * jobs) then Alcotest.failf "%d processes began %d slow states" jobs begun;
+       if lasted > (2. *. seconds) +. 0.5 then Alcotest.failf "%d processes took %g seconds" jobs lasted)
+    [ 2; 4 ]
+
 let () =
   Alcotest.run "expand"
     [
@@ -396,5 +436,5 @@ let () =
         ] );
       ( "several processes",
         Scc_test_support.Property.cases [ crews; both; deaths ]
-        @ [ Alcotest.test_case "a large graph" `Quick zigzags ] );
+        @ [ Alcotest.test_case "a large graph" `Quick zigzags; Alcotest.test_case "slow states" `Quick slow_states ] );
     ]
