@@ -168,10 +168,24 @@ def strangers():
     owners[1].begin(ports, secret='t')
     tell('a wrong secret calls', owners[1].end(3, 'SC0924'))
     tell('it is turned away', owners[0].end(4, '1 that called were turned away, the last since'))
+    for other in ({'run': '2'}, {'order': 'any'}, {'states': 5}):
+        owners = [One(1, 2), One(2, 2)]
+        ports = [o.port for o in owners]
+        owners[0].begin(ports)
+        owners[1].begin(ports, **other)
+        name = 'another %s' % list(other)[0]
+        tell(name, owners[1].end(3, 'or another `run'))
+        tell('%s is turned away' % name, owners[0].end(4, 'or another `run'))
 
 
 def parents():
     for line, words in [('nonsense', 'SC0924'), ('{}', 'SC0924'), ('{"peers":["x"],"secret":"s","run":"1","order":"levels"}', 'host:port'),
+                        ('{"peers":["x:0"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
+                        ('{"peers":["x:65536"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
+                        ('{"peers":["x:-1"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
+                        ('{"peers":["x:0x10"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
+                        ('{"peers":["x:"],"secret":"s","run":"1","order":"levels"}', 'from 1 to 65535'),
+                        ('{"peers":["x:1"],"secret":"s","run":"1","order":"levels","states":0}', 'from 1 on'),
                         ('{"peers":["x:1","y:2"],"secret":"s","run":"1","order":"levels"}', '2 peers, and 1 owners'),
                         ('{"peers":["x:1"],"secret":"s","run":"1","order":"levels","every":1}', 'need a `folder')]:
         owner = One(1, 1)
@@ -186,7 +200,15 @@ def parents():
 
 
 def losses():
-    """One of two is lost, or asked to end, while they work."""
+    """One of two is lost, or asked to end, while they work; or its input ends."""
+    for order in ('levels', 'any'):
+        owners = [One(k, 2, 19) for k in (1, 2)]
+        for o in owners:
+            o.begin([o.port for o in owners], order=order, deadline=20000)
+        owners[0].process.stdout.readline()  # they have begun
+        owners[1].process.stdin.close()
+        tell('%s: the input ends' % order, owners[1].end(4, 'the process that has started this owner has ended', 10))
+        tell('%s: the other' % order, owners[0].end(4, 'owner 2 is lost', 10))
     for number, code, words in [(signal.SIGKILL, -9, ''), (signal.SIGTERM, 4, ''), (signal.SIGINT, 4, '')]:
         for order in ('levels', 'any'):
             owners = [One(k, 2, 19) for k in (1, 2)]

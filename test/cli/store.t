@@ -55,3 +55,50 @@ Files that cannot grow: it is told at once, and the work goes on.
   [74]
   $ scc check ../bench/checker/hexokinase.sc -D n=4 | cmp - report
   $ scc check ../bench/checker/hexokinase.sc -D n=4 --store full | cmp - report
+
+The same from the beginning, with whatever is kept; the folder goes on to be a store.
+
+  $ none() { (trap '' XFSZ; ulimit -f 0; scc "$@" --store none 2>&1 1>/dev/null; echo $?) | cat | grep -v SC0703; }
+  $ none check $M/ruin.sc
+  none: warning[SC0103]: the store cannot be used: disk I/O error: what is found from now on is not kept
+    hint: it goes on all the same; what was kept up to now stays
+  none: error[SC0103]: the store cannot be used: disk I/O error; what was found from then on is not kept
+    hint: the same command goes on from what was kept, once the store can be written again
+  74
+  $ none check $M/enzyme.sc --hash-compact
+  none: warning[SC0103]: the store cannot be used: disk I/O error: what is found from now on is not kept
+    hint: it goes on all the same; what was kept up to now stays
+  none: error[SC0103]: the store cannot be used: disk I/O error; what was found from then on is not kept
+    hint: the same command goes on from what was kept, once the store can be written again
+  74
+  $ none estimate $M/ruin.sc --runs 20
+  none: warning[SC0103]: the store cannot be used: disk I/O error: what is found from now on is not kept
+    hint: it goes on all the same; what was kept up to now stays
+  none: error[SC0103]: the store cannot be used: disk I/O error; what was found from then on is not kept
+    hint: the same command goes on from what was kept, once the store can be written again
+  74
+  $ none simulate $M/ruin.sc $asked
+  none: warning[SC0103]: the store cannot be used: disk I/O error: what is found from now on is not kept
+    hint: it goes on all the same; what was kept up to now stays
+  none: error[SC0103]: the store cannot be used: disk I/O error; what was found from then on is not kept
+    hint: the same command goes on from what was kept, once the store can be written again
+  74
+  $ none sweep $M/chain.sc -D n=1..2
+  none: warning[SC0103]: the store cannot be used: disk I/O error: what is found from now on is not kept
+    hint: it goes on all the same; what was kept up to now stays
+  none: error[SC0103]: the store cannot be used: disk I/O error; what was found from then on is not kept
+    hint: the same command goes on from what was kept, once the store can be written again
+  74
+  $ scc check $M/ruin.sc > alone; scc check $M/ruin.sc --store none | cmp - alone
+
+Too few descriptors are a limit of the system.
+
+  $ (ulimit -n 6; scc check $M/ruin.sc --store few)
+  scc: Too many open files (open the files of the store)
+  [4]
+
+A value that is empty on one side.
+
+  $ scc check $M/ruin.sc --store plain > /dev/null; scc check $M/ruin.sc --store plain --no-reduce order
+  plain: error[SC0911]: it keeps something else: --no-reduce is empty there, and order here
+  [3]

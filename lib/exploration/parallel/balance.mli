@@ -6,6 +6,9 @@ type t
 val create : now:(unit -> float) -> t
 (** A balance without measurements. [now] is a clock, in seconds. *)
 
+val request_seconds : float
+(** Seconds of work that a request is to be worth. *)
+
 (** {1 What is measured} *)
 
 val finding : t -> (unit -> 'a) -> 'a

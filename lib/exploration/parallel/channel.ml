@@ -47,7 +47,7 @@ let readable seconds list =
   | fds, _, _ -> List.filter (fun c -> List.memq c.fd fds) list
   | exception Unix.Unix_error (EINTR, _, _) -> []
 
-let ready list = readable 0.2 list
+let ready ?(seconds = 0.2) list = readable (Float.max 0. (Float.min 0.2 seconds)) list
 
 (** {2 Processes} *)
 

@@ -16,10 +16,9 @@ val get : t -> string
 exception Closed
 (** The other process has ended. *)
 
-val ready : t list -> t list
-(** The channels that have a message, or whose process has ended. It waits for one at most 0.2 seconds;
-    interruptions may come in between. *)
-
+val ready : ?seconds:float -> t list -> t list
+(** The channels that have a message, or whose process has ended. It waits for one at most 0.2 seconds, or
+    [seconds] if these are fewer; interruptions may come in between. *)
 
 val close : t -> unit
 (** Kills the other process and closes the channel. *)

@@ -1,6 +1,5 @@
 open Scc_base
 open Scc_data
-open Scc_codec
 open Scc_graph_search
 
 type start = At_once | When_it_pays
@@ -10,17 +9,17 @@ type start = At_once | When_it_pays
 let grace = 0.5
 let few = 1 lsl 19
 
-(* So often is a process replaced that has died; what is left is found here. *)
-let most_deaths = 20
+(* Where this process must have room in the tables, others have so long to stop. *)
+let seconds_to_stop = 0.2
 
-(* Requests of a worker whose answers are not all used yet, and those under way: the next one is there before it
-   has answered one. *)
-let slots_of_worker = 8
+(* Requests of a worker that are under way: the next one is there before it has answered one. *)
 let most_under_way = 4
 
 (* Of what this process finds ahead. *)
 let own_slots = 16
-let slot_length = 1 lsl 14
+
+(* Seconds that a state found ahead takes, for this process to wait before it takes another one. *)
+let long = 0.005
 
 (* Of so many answers one after the other, a power of two, what they ask for is fetched at once. *)
 let fetched_at_once = 16
@@ -32,95 +31,7 @@ let between_looks = 16
 let between_sizes = 1 lsl 12
 
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
-  module Service = Served.Make (L) (Graph)
-
-  type worker = {
-    channel : Channel.t;
-    bells : Served.bells;
-    slots : Served.slot array;
-    live : request Queue.t;  (** those that have a slot, in order *)
-    mutable beyond : int;  (** the number of the next request; it has the slot of this number, by turns *)
-    mutable under_way : request list;  (** in order *)
-    mutable words : int;  (** of memory that it takes, as it last told *)
-  }
-
-  and request = {
-    worker : worker option;  (** [None]: it is this process *)
-    slot : Served.slot;
-    states : int array;  (** increasing *)
-    mutable answered : int;  (** the first ones; -1 while it is under way *)
-    mutable next : int;  (** of those before it, the answers are of no use any more *)
-  }
-
-  type t = {
-    shared : Service.shared;
-    balance : Balance.t;
-    jobs : int;
-    waits : int -> bool;
-    requests : request Queue.t;  (** whose answers may be of use, in the order of their states *)
-    mutable own_slots : Served.slot list;  (** those of no request *)
-    mutable now : int;  (** the state whose turn it is *)
-    mutable unasked : int;  (** the first state that is in no request so far *)
-    mutable workers : worker list;
-    mutable deaths : int;
-  }
-
-  let told c = Memory.set_beside (List.fold_left (fun n w -> n + Memory.bytes_of_words w.words) 0 c.workers)
-
-  (** {2 Workers} *)
-
-  let make_slots count length =
-    Scc_shared.Shared_memory.(all (List.init count (fun _ -> numbers length)))
-
-  (* Where the system gives no memory or no process there are fewer. *)
-  let new_worker c =
-    match (make_slots slots_of_worker slot_length, Served.bells ()) with
-    | Some slots, Some bells ->
-      let slots = Array.of_list slots in
-      let add channel =
-        let live = Queue.create () in
-        c.workers <- { channel; bells; slots; live; beyond = 0; under_way = []; words = 0 } :: c.workers
-      in
-      Option.iter add (Channel.fork (Service.serve c.shared slots bells))
-    | _ -> ()
-
-  (* What it was to find is found here. *)
-  let bury c w =
-    Channel.close w.channel;
-    List.iter (fun r -> r.answered <- 0) w.under_way;
-    c.workers <- List.filter (fun other -> other != w) c.workers;
-    c.deaths <- c.deaths + 1;
-    if c.deaths <= most_deaths then new_worker c;
-    told c
-
-  let rec collect_from c w =
-    match w.under_way with
-    | r :: rest when Served.answered r.slot >= 0 ->
-      r.answered <- Served.answered r.slot;
-      w.under_way <- rest;
-      Balance.answered c.balance ~states:r.answered ~worked:(Served.seconds r.slot);
-      collect_from c w
-    | _ -> ()
-
-  let collect c = List.iter (collect_from c) c.workers
-
-  let receive c w =
-    match Channel.get w.channel with
-    | exception Channel.Closed -> bury c w
-    | message ->
-      w.words <- Packed.nat (Packed.source message);
-      told c
-
-  (* Until somebody has answered, or died. *)
-  let wait c =
-    let busy = List.filter (fun w -> w.under_way <> []) c.workers in
-    let is_under_way w = match w.under_way with [] -> false | r :: _ -> Served.answered r.slot < 0 in
-    List.iter (fun w -> Served.say_waiting w.bells Served.main) busy;
-    if List.for_all is_under_way busy then begin
-      let ready = Channel.ready (List.map (fun w -> w.channel) busy) in
-      Critical.run (fun () -> List.iter (fun w -> if List.memq w.channel ready then receive c w) busy)
-    end;
-    Critical.run (fun () -> collect c)
+  include Team.Make (L) (Graph)
 
   (** {2 Requests} *)
 
@@ -164,7 +75,28 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     Queue.clear c.requests;
     Queue.transfer kept c.requests
 
-  let waiting c = Graph.size c.shared.graph - c.unasked
+  (* With a bound on states there will be so many turns as there is room for what they find. Nobody looks further
+     ahead, except that each process has something to do. *)
+  let needed c =
+    match c.room () with
+    | room when room = max_int -> max_int
+    | room ->
+      let turns = float_of_int (room + 1) /. Float.max 1e-6 c.fresh in
+      if turns > 1e9 then max_int else Int.max c.jobs (int_of_float turns)
+
+  (* So many that wait may be asked for. *)
+  let waiting c =
+    let size = Graph.size c.shared.graph in
+    let expanded = size - Graph.left c.shared.graph in
+    Int.min (size - c.unasked) (Int.max 0 (needed c - Int.max 0 (c.unasked - expanded)))
+
+  let turns_of_mean = 64.
+
+  let note_turn c i =
+    let size = Graph.size c.shared.graph in
+    c.fresh <- c.fresh +. ((float_of_int (size - c.size) -. c.fresh) /. turns_of_mean);
+    c.size <- size;
+    c.now <- i
 
   (* So many that wait, but for the one whose turn it is. *)
   let take c count =
@@ -189,8 +121,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
       w.under_way <- w.under_way @ [ r ];
       Queue.push r w.live;
       Queue.push r c.requests;
-      if Served.is_waiting w.bells Served.worker then
-        match Channel.put w.channel (Buffer.create 1) with () -> () | exception Channel.Closed -> bury c w
+      wake c w
 
   let is_full w = Queue.length w.live >= Array.length w.slots
 
@@ -205,28 +136,67 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   (** {2 Room in the tables} *)
 
-  (* Workers stop where room is wanted, and are not asked for more until they all have. *)
+  (* Workers stop where room is wanted, some in the midst of an answer. They are not asked for more until they all
+     have. *)
+  let works w = w.under_way <> [] && not (Served.is_paused w.bells)
+  let somebody_works c () = List.exists works c.workers
+
+  let is_room_wanted c = Graph.is_room_wanted c.shared.graph c.shared.common
+
+  let make_room_now c =
+    let go_on w =
+      if Served.is_paused w.bells then begin
+        Served.end_pause w.bells;
+        wake c w
+      end
+    in
+    Critical.run (fun () ->
+        Graph.make_room c.shared.graph c.shared.common;
+        List.iter go_on c.workers)
+
+  (* Where this process cannot go on without room, who is at a state that takes long is ended, and begins anew.
+     What is found ahead is given up instead. *)
   let make_room c =
-    while List.exists (fun w -> w.under_way <> []) c.workers do
-      wait c
-    done;
-    Critical.run (fun () -> Graph.make_room c.shared.graph c.shared.common)
+    let until = Unix.gettimeofday () +. seconds_to_stop in
+    let rec wait () =
+      if somebody_works c () then
+        if Unix.gettimeofday () < until then begin
+          wait_while c (somebody_works c);
+          wait ()
+        end
+        else if c.is_ahead then raise Answers.Too_long
+        else Critical.run (fun () -> List.iter (end_worker c) (List.filter works c.workers))
+    in
+    let before = List.length c.workers + c.deaths in
+    wait ();
+    make_room_now c;
+    let ended = before - List.length c.workers - c.deaths in
+    Critical.run (fun () -> for _ = 1 to ended do new_worker c done)
 
   let exchange c =
     Critical.run (fun () ->
         collect c;
         drop_first c);
-    if Graph.is_room_wanted c.shared.graph c.shared.common then make_room c;
+    if is_room_wanted c && not (somebody_works c ()) then make_room_now c;
     Critical.run (fun () ->
         if List.exists is_full c.workers || c.own_slots = [] then drop_all c;
-        send c)
+        if not (is_room_wanted c) then send c)
 
   (** {2 Answers} *)
+
+  (* What this process has not come to is asked for again. *)
+  let take_back c r ~answered =
+    if answered < Array.length r.states then begin
+      c.unasked <- Int.min c.unasked r.states.(answered);
+      r.states <- Array.sub r.states 0 answered
+    end;
+    r.answered <- answered
 
   (* Some of what waits is found here; nothing, where there is none or no room for it. *)
   let works_ahead c =
     match c.own_slots with
     | [] -> false
+    | _ when is_room_wanted c -> false
     | slot :: rest -> (
         match take c (Balance.request c.balance ~waiting:(waiting c) ~jobs:c.jobs) with
         | [||] -> false
@@ -235,8 +205,13 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
           Served.request slot states;
           let r = { worker = None; slot; states; answered = 0; next = 0 } in
           Queue.push r c.requests;
-          Service.find c.shared slot;
-          r.answered <- Served.answered slot;
+          c.is_ahead <- true;
+          Fun.protect
+            ~finally:(fun () -> c.is_ahead <- false)
+            (fun () -> Service.find_for c.shared slot ~seconds:Balance.request_seconds);
+          Critical.run (fun () -> take_back c r ~answered:(Served.answered slot));
+          Balance.answered c.balance ~states:r.answered ~worked:(Served.seconds slot);
+          if Served.seconds slot > long then c.patience <- 0.5 *. Served.seconds slot;
           true)
 
   (* The place of a state among increasing ones from [low] on, before [high]. *)
@@ -259,8 +234,28 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | Some r when r.next < Array.length r.states && r.states.(r.next) = i -> Some (r, r.next)
     | Some _ | None -> Queue.fold look None c.requests
 
-  let answer r k = { Graph.words = r.slot; at = Served.place r.slot k }
+  let answer r k =
+    match Served.progress r.slot k with
+    | Answered at -> Some { Graph.words = r.slot; at }
+    | Free | Taken | Untold -> None
 
+  let fetch_from c r k =
+    for k = k to Int.min (k + fetched_at_once) r.answered - 1 do
+      Option.iter (Graph.fetch c.shared.graph) (answer r k)
+    done
+
+  (* Somebody else has begun with the state before this process began with what it found ahead. If that took long,
+     the other one is likely to end soon. *)
+  let is_patient c r k =
+    c.patience > 0.
+    && begin
+      let start = Unix.gettimeofday () in
+      wait ~seconds:c.patience c r k;
+      c.patience <- c.patience -. Float.max 1e-6 (Unix.gettimeofday () -. start);
+      true
+    end
+
+  (* This process waits only for a state that another one has begun with. *)
   let rec ready c i =
     match find c i with
     | None -> None
@@ -268,23 +263,41 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
       if k >= r.answered then None
       else begin
         if k = r.next then r.next <- k + 1;
-        if k land (fetched_at_once - 1) = 0 then
-          for k = k to Int.min (k + fetched_at_once) r.answered - 1 do
-            Graph.fetch c.shared.graph (answer r k)
-          done;
-        Some (answer r k)
+        if k land (fetched_at_once - 1) = 0 then fetch_from c r k;
+        answer r k
       end
-    | Some _ ->
-      if not (works_ahead c) then wait c;
-      exchange c;
-      ready c i
+    | Some (r, k) -> (
+        let use () = if k = r.next then r.next <- k + 1 in
+        match Served.progress r.slot k with
+        | Answered _ | Untold ->
+          use ();
+          answer r k
+        | Free when Served.take r.slot k ->
+          use ();
+          None
+        | Free -> ready c i
+        | Taken ->
+          if not (is_patient c r k || works_ahead c) then wait c r k;
+          exchange c;
+          ready c i)
 
-  let begun shared balance jobs waits =
-    let own_slots = List.init own_slots (fun _ -> Bigarray.(Array1.create int c_layout slot_length)) in
+  let begun shared balance jobs waits room =
+    let own_slots = Option.value (make_slots own_slots) ~default:[] in
     let size = Graph.size shared.Service.graph in
     let rec first_waiting i = if i < size && not (waits i) then first_waiting (i + 1) else i in
     let unasked = first_waiting 0 and requests = Queue.create () in
-    let c = { shared; balance; jobs; waits; requests; own_slots; now = -1; unasked; workers = []; deaths = 0 } in
+    let expanded = Int.max 1 (size - Graph.left shared.graph) in
+    let c =
+      {
+        shared; balance; jobs; waits; room; requests; own_slots; unasked; size;
+        now = -1;
+        patience = 0.;
+        is_ahead = false;
+        fresh = float_of_int size /. float_of_int expanded;
+        workers = [];
+        deaths = 0;
+      }
+    in
     Graph.set_full shared.graph shared.common (fun () -> make_room c);
     for _ = 1 to jobs - 1 do
       new_worker c
@@ -298,8 +311,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   (* Whether it pays is asked once the first states have been found here. *)
   let expanding ~jobs ~start : Graph.expanding =
-    fun g ~all_edges ~waits ~dull ->
-    if jobs < 2 then Graph.here g ~all_edges ~waits ~dull
+    fun g ~all_edges ~waits ~room ~dull ->
+    if jobs < 2 then Graph.here g ~all_edges ~waits ~room ~dull
     else begin
       let crew = ref None and tried = ref false and turns = ref 0 in
       let first = Unix.gettimeofday () and balance = Balance.create ~now:Unix.gettimeofday in
@@ -312,7 +325,9 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
       let call_in () =
         if (not !tried) && pays () then begin
           tried := true;
-          let begin_with common = crew := Some (begun { graph = g; common; all_edges; dull } balance jobs waits) in
+          let begin_with common =
+            crew := Some (begun { graph = g; common; all_edges; dull } balance jobs waits room)
+          in
           Critical.run (fun () -> Option.iter begin_with (Graph.share g))
         end
       in
@@ -320,7 +335,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
         match !crew with
         | None -> None
         | Some c ->
-          c.now <- i;
+          note_turn c i;
           incr turns;
           if !turns land (between_looks - 1) = 0 then exchange c;
           (* What is shared cannot be in files. *)

@@ -103,7 +103,7 @@ module Make
         note)
 
   let expanding ?block log (after : Graph.expanding) : Graph.expanding =
-    fun g ~all_edges ~waits ~dull ->
+    fun g ~all_edges ~waits ~room ~dull ->
     let j =
       {
         log;
@@ -117,7 +117,7 @@ module Make
       }
     in
     advance j;
-    let after = lazy (after g ~all_edges ~waits ~dull) in
+    let after = lazy (after g ~all_edges ~waits ~room ~dull) in
     let afresh state tuple = (Lazy.force after).Graph.expand state tuple in
     let ready state =
       match j.ahead with

@@ -10,11 +10,23 @@ val request : slot -> int array -> unit
 (** [request slot states] asks for the transitions of some states. *)
 
 val answered : slot -> int
-(** [answered slot] is the number of states that have been answered, the first ones of the request; negative
-    while it is under way. *)
+(** [answered slot] is the number of states that have been seen to, the first ones of the request; negative while
+    it is under way. *)
 
-val place : slot -> int -> int
-(** [place slot k] is the place of the answer about the [k]-th state, from 0. *)
+(** How far the answer about a state is. *)
+type progress =
+  | Free  (** nobody has begun with it *)
+  | Taken  (** a process is at it, or has it for itself *)
+  | Untold  (** it was left to the process that numbers states *)
+  | Answered of int  (** the answer is at this place *)
+
+val progress : slot -> int -> progress
+(** [progress slot k] is how far the answer about the [k]-th state is, from 0, also while the request is under
+    way. *)
+
+val take : slot -> int -> bool
+(** [take slot k] is true if the [k]-th state was {!Free}. Now it is {!Taken} by this process, and no other one
+    finds its transitions. *)
 
 val seconds : slot -> float
 (** [seconds slot] is how long the answers took. *)
@@ -33,6 +45,13 @@ val is_waiting : bells -> int -> bool
 (** [is_waiting bells who] is true if a process waits for a message, once for each time. It is called after
     something was written for that process. *)
 
+val is_paused : bells -> bool
+(** [is_paused bells] is true if the worker has stopped in the midst of a request, until {!end_pause}, as room is
+    wanted in the tables. *)
+
+val end_pause : bells -> unit
+(** [end_pause bells] lets it go on. It may have to be woken. *)
+
 val main : int
 (** The process that numbers the states, for {!say_waiting} and {!is_waiting}. *)
 
@@ -44,9 +63,10 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
       visitor is not told. *)
   type shared = { graph : Graph.t; common : Common.t; all_edges : bool; dull : int array -> bool }
 
-  val find : shared -> slot -> unit
-  (** [find shared slot] answers the request in a slot: for each state in turn what {!Graph.put_answer} puts. It
-      ends early where the slot is full, or room is wanted in the tables. *)
+  val find_for : shared -> slot -> seconds:float -> unit
+  (** [find_for shared slot ~seconds] answers the request in a slot: for each state in turn what
+      {!Graph.put_answer} puts. It ends early where the slot is full, or room is wanted in the tables, and before
+      the next state once these seconds are over. *)
 
   val serve : shared -> slot array -> bells -> Channel.t -> unit
   (** [serve shared slots bells channel] answers the requests that come into the slots by turns. It is called in

@@ -7,10 +7,29 @@ exception Failed of Code.t * string
 let fail code format = Printf.ksprintf (fun text -> raise (Failed (code, text))) format
 let damaged what = fail Code.damaged_store "the store is damaged: %s" what
 
+(* The database, its log and the folder are open at once, and one more while it is made. *)
+let most_open = 4
+
+(* SQLite does not tell that there are too few descriptors: it cannot open a file. *)
+let need_descriptors () =
+  let rec have opened n =
+    if n = 0 then List.iter Unix.close opened
+    else
+      match Unix.openfile "/dev/null" [ O_RDONLY; O_CLOEXEC ] 0 with
+      | fd -> have (fd :: opened) (n - 1)
+      | exception Unix.Unix_error (((EMFILE | ENFILE) as error), _, _) ->
+        List.iter Unix.close opened;
+        raise (Unix.Unix_error (error, "open", "the files of the store"))
+      | exception Unix.Unix_error _ -> List.iter Unix.close opened
+  in
+  have [] most_open
+
 (* What SQLite answers when it should not. *)
 let refuse db (rc : Sqlite3.Rc.t) =
   let text = Sqlite3.errmsg db in
+  (match rc with CANTOPEN | IOERR -> need_descriptors () | _ -> ());
   match rc with
+  | FULL | IOERR -> fail Code.cannot_write "the store cannot be used: %s" text
   | BUSY | LOCKED -> fail Code.no_store "another process has this store"
   | CORRUPT | NOTADB | MISMATCH | CONSTRAINT | FORMAT | SCHEMA | TOOBIG | ERROR -> damaged text
   | NOMEM -> raise Out_of_memory
@@ -63,7 +82,9 @@ let look_through db =
 let opened db =
   match db () with
   | db -> db
-  | exception Sqlite3.Error text -> fail Code.no_store "the store cannot be opened: %s" text
+  | exception Sqlite3.Error text ->
+    need_descriptors ();
+    fail Code.no_store "the store cannot be opened: %s" text
 
 (* The versions of the format: of wrong ones SQLite tells as of a file that cannot be written to, or is locked. *)
 let look_at_header path =

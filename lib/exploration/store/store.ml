@@ -10,7 +10,7 @@ let patience = 2000
 
 type t = {
   folder : string;
-  db : Database.t;
+  db : Database.t option;  (** [None]: it could not be written to from the beginning *)
   writable : bool;
   identity : string;  (** a digest, on which those of the blocks rest *)
   begun : (string, int) Hashtbl.t;  (** how many explorations of each name *)
@@ -24,11 +24,21 @@ let damaged = Database.damaged
 
 (** {2 Opening} *)
 
+(* No permission is missing, but room. *)
+let is_full : Unix.error -> bool = function
+  | ENOSPC | EFBIG | EIO -> true
+  | EUNKNOWNERR n -> n = 122 (* EDQUOT *)
+  | _ -> false
+
 let may what f =
   match f () with
   | x -> x
-  | exception Unix.Unix_error (error, _, _) -> fail Code.no_store "%s: %s" what (Unix.error_message error)
-  | exception Sys_error text -> fail Code.no_store "%s: %s" what text
+  | exception (Unix.Unix_error ((EMFILE | ENFILE), _, _) as lacking) -> raise lacking
+  | exception Unix.Unix_error (error, _, _) ->
+    let code = if is_full error then Code.cannot_write else Code.no_store in
+    fail code "%s: %s" what (Unix.error_message error)
+  | exception (Sys_error text as e) ->
+    if Option.is_some (Scc_system.Resources.refused e) then raise e else fail Code.no_store "%s: %s" what text
 
 let make_folder folder =
   match Sys.is_directory folder with
@@ -93,11 +103,13 @@ let recorded db =
   let add acc row = (Sqlite3.column_text row 0, Sqlite3.column_text row 1) :: acc in
   List.rev (Database.fold db "SELECT name, value FROM identity ORDER BY rowid" [] add [])
 
+let shown value = if String.equal value "" then "empty" else value
+
 let same_identity kept identity =
   let differs (name, value) =
     match List.assoc_opt name kept with
     | Some known when String.equal known value -> None
-    | Some known -> Some (Printf.sprintf "%s is %s there, and %s here" name known value)
+    | Some known -> Some (Printf.sprintf "%s is %s there, and %s here" name (shown known) (shown value))
     | None -> Some (Printf.sprintf "nothing is known there of %s" name)
   in
   let only_kept (name, value) =
@@ -160,6 +172,9 @@ let begin_to_read db identity =
   if not (is_ours db) then fail Code.no_store "the store cannot be written to, and has nothing yet";
   look_at db identity
 
+let make folder ~db ~writable ~identity ~warn =
+  { folder; db; writable; identity; begun = Hashtbl.create 8; warn; failed = None }
+
 let connect folder identity warn =
   make_folder folder;
   let writable = may_be_store folder in
@@ -168,14 +183,10 @@ let connect folder identity warn =
   match if writable then begin_to_write db identity else begin_to_read db identity with
   | () ->
     let identity = digest_of_identity identity in
-    { folder; db; writable; identity; begun = Hashtbl.create 8; warn; failed = None }
+    make folder ~db:(Some db) ~writable ~identity ~warn
   | exception e ->
     Database.close db;
     raise e
-
-let openly folder ~identity ~warn =
-  Database.caught (fun () -> connect folder identity warn)
-  |> Result.map_error (fun (code, text) -> Diag.error code (at folder) "%s" text)
 
 (** {2 Use} *)
 
@@ -184,13 +195,16 @@ let failed t = t.failed
 
 let key exploration number = [ Sqlite3.Data.TEXT exploration; INT (Int64.of_int number) ]
 
+let database t =
+  match t.db with Some db -> db | None -> fail Code.cannot_write "the store could not be written to"
+
 let read t exploration number =
   let take _ row = Some (Sqlite3.column_blob row 0, Sqlite3.column_blob row 1) in
-  Database.fold t.db "SELECT digest, bytes FROM blocks WHERE exploration = ? AND number = ?"
+  Database.fold (database t) "SELECT digest, bytes FROM blocks WHERE exploration = ? AND number = ?"
     (key exploration number) take None
 
 let write t exploration number digest bytes =
-  Database.change t.db "INSERT INTO blocks VALUES (?, ?, ?, ?)"
+  Database.change (database t) "INSERT INTO blocks VALUES (?, ?, ?, ?)"
     (key exploration number @ [ Sqlite3.Data.BLOB digest; BLOB bytes ])
 
 (* What was kept up to now stays; a hole would make all after it worthless. *)
@@ -211,6 +225,24 @@ let damaged_meanwhile t text =
 
 let trouble t (code, text) = if code = Code.damaged_store then damaged_meanwhile t text else give_up t text
 
+(* Without a store the work is the same: what cannot be written at the beginning is treated as what cannot be
+   written later. *)
+let openly folder ~identity ~warn =
+  match Database.caught (fun () -> connect folder identity warn) with
+  | Ok t -> Ok t
+  | Error (code, text) when code = Code.cannot_write ->
+    let t = make folder ~db:None ~writable:false ~identity:"" ~warn in
+    give_up t text;
+    Ok t
+  | Error (code, text) -> Error (Diag.error code (at folder) "%s" text)
+
+(* Later on a lack of descriptors is no reason to end. *)
+let caught f =
+  match Database.caught f with
+  | result -> result
+  | exception Unix.Unix_error (error, _, _) ->
+    Error (Code.cannot_write, "the store cannot be used: " ^ Unix.error_message error)
+
 let log t name : Scc_parallel.Log.t =
   let before = Option.value (Hashtbl.find_opt t.begun name) ~default:0 in
   Hashtbl.replace t.begun name (before + 1);
@@ -221,7 +253,7 @@ let log t name : Scc_parallel.Log.t =
     last := digest
   in
   let next () =
-    match if Option.is_some t.failed then Ok None else Database.caught (fun () -> read t exploration !number) with
+    match if Option.is_some t.failed then Ok None else caught (fun () -> read t exploration !number) with
     | Ok None -> None
     | Ok (Some (digest, bytes)) ->
       follow digest;
@@ -237,9 +269,9 @@ let log t name : Scc_parallel.Log.t =
         if not t.writable then fail Code.no_store "the store is read-only";
         write t exploration !number digest bytes
       in
-      match Database.caught write with Ok () -> follow digest | Error why -> trouble t why
+      match caught write with Ok () -> follow digest | Error why -> trouble t why
     end
   in
   { next; keep }
 
-let close t = Database.close t.db
+let close t = Option.iter Database.close t.db

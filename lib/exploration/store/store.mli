@@ -14,11 +14,14 @@ val openly : string -> identity:(string * string) list -> warn:(Diag.t -> unit) 
     is the names and values that identify the model and the options; a store must have been made with the same
     ones. A store that can be written to is locked for this process until it ends. Any other is read, and keeps
     no new blocks. All blocks are checked against their digests. The errors are:
-    - SC0910: the folder cannot be made, read or written, is no store, or is locked by another process;
+    - SC0910: the folder cannot be made, read or written, for want of a permission or as something else is there;
+      it is no store; or it is locked by another process;
     - SC0911: the store is of another version or identity, and the message has the difference;
     - SC0912: the store is damaged.
 
-    [warn] is called once, when the store ceases to keep blocks (SC0103 or SC0912). *)
+    Where there is no room to write, the store has {!failed} from the beginning, and keeps nothing. Where there are
+    too few descriptors, it raises [Unix.Unix_error]. [warn] is called once, when the store ceases to keep blocks
+    (SC0103 or SC0912). *)
 
 val folder : t -> string
 (** The path of the store's folder. *)

@@ -230,9 +230,13 @@ module Make (L : Lts.S) = struct
     | Queued -> Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i)
     | Expanded | Unexpanded _ -> false
 
-  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> dull:(int array -> bool) -> expander
+  let room g (limits : Limits.t) () =
+    match limits.states with None -> max_int | Some n -> Int.max 0 (n - size g)
 
-  let here g ~all_edges:_ ~waits:_ ~dull:_ =
+  type expanding =
+    t -> all_edges:bool -> waits:(int -> bool) -> room:(unit -> int) -> dull:(int array -> bool) -> expander
+
+  let here g ~all_edges:_ ~waits:_ ~room:_ ~dull:_ =
     {
       ready = (fun _ -> None);
       expand = (fun _ tuple -> Result.map (fun found -> Found found) (successors g tuple));
@@ -247,7 +251,8 @@ module Make (L : Lts.S) = struct
     let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
     let i = Tuples.intern g.tuples ~near:g.near whole in
     let all_edges = keep_edges || Option.is_some visitor.opened in
-    let expander = expanding g ~all_edges ~waits:(waits g limits visitor) ~dull:visitor.dull in
+    let waits = waits g limits visitor and room = room g limits in
+    let expander = expanding g ~all_edges ~waits ~room ~dull:visitor.dull in
     (* What ends the exploration, at this state or before it. *)
     let look round i =
       if visitor.enough () then Some Stopped

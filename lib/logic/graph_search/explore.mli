@@ -92,10 +92,12 @@ module Make (L : Lts.S) : sig
     finish : unit -> unit;  (** called at the end of the exploration, also after an exception *)
   }
 
-  type expanding = t -> all_edges:bool -> waits:(int -> bool) -> dull:(int array -> bool) -> expander
+  type expanding =
+    t -> all_edges:bool -> waits:(int -> bool) -> room:(unit -> int) -> dull:(int array -> bool) -> expander
   (** The expander of an exploration that begins. With [all_edges] all edges are kept or visited, also those that
-      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. [dull] is that
-      of the visitor. *)
+      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. [room ()] is how
+      many states there may come to be, by the bound on states; [max_int] without one. [dull] is that of the
+      visitor. *)
 
   val here : expanding
   (** The expander that calls {!successors} in this process. *)

@@ -79,19 +79,15 @@ let[@inline] key p i : int =
       let wide : wide = Array.unsafe_get p.wide (i lsr chunk_bits) in
       Array1.unsafe_get wide (i land (chunk - 1))
 
-let check p i =
-  if i < 0 || (i >= p.size && Array1.dim p.flat = 0) then Scc_base.Bug.fail __POS__ "an index out of range"
-
 let unpack_left k = k lsr half
 let unpack_right k = k land mask
 
-let left p i =
-  check p i;
-  unpack_left (key p i)
+let checked p i =
+  if i < 0 || (i >= p.size && Array1.dim p.flat = 0) then Scc_base.Bug.fail __POS__ "an index out of range";
+  key p i
 
-let right p i =
-  check p i;
-  unpack_right (key p i)
+let left p i = unpack_left (checked p i)
+let right p i = unpack_right (checked p i)
 
 (* As many slots as a line of a processor's cache holds. Pairs that are alike but for the lowest bits of what is
    on the right are looked for in one line, each in another of its slots, as such pairs are often asked for one
@@ -137,14 +133,16 @@ let look p k =
 let enter (index : index) bits i h id =
   Array1.unsafe_set index i (Int32.of_int ((tag h bits lsl bits) lor id))
 
+(* Of a key that is not there yet. *)
+let enter_new p (index : index) bits id =
+  let rec vacant i = if entry index i = free then i else vacant (next index i) in
+  let k = key p id in
+  let h = hash k in
+  enter index bits (vacant (slot k h bits)) h id
+
 let put_all p (index : index) bits =
   Array1.fill index (Int32.of_int free);
-  let rec vacant i = if entry index i = free then i else vacant (next index i) in
-  for id = 0 to p.size - 1 do
-    let k = key p id in
-    let h = hash k in
-    enter index bits (vacant (slot k h bits)) h id
-  done
+  for id = 0 to p.size - 1 do enter_new p index bits id done
 
 (* An index is made of the keys alone: of a large one there is only one at a time. *)
 let large = 1 lsl 22
@@ -213,18 +211,20 @@ let[@inline] is_crowded ~parts ~of_ used index = of_ * used > parts * Array1.dim
 let want_room s =
   if Shared_memory.read s.header wants_room = 0 then Shared_memory.write s.header wants_room 1
 
-let number_of_many p s =
-  let used = Shared_memory.read s.header next_number in
-  if is_crowded ~parts:4 ~of_:5 used p.index then want_room s;
-  if is_crowded ~parts:15 ~of_:16 (used + (16 * numbers_at_once)) p.index then s.full ();
-  if s.next = s.beyond then begin
+(* Outside of the section in which a pair is added: to make room may take long. *)
+let see_to_room p s =
+  if s.many && s.next = s.beyond then begin
+    let used = Shared_memory.read s.header next_number in
+    if is_crowded ~parts:4 ~of_:5 used p.index then want_room s;
+    if is_crowded ~parts:15 ~of_:16 (used + (16 * numbers_at_once)) p.index then s.full ()
+  end
+
+let number_for p s =
+  if s.many && s.next = s.beyond then begin
     s.next <- Shared_memory.add s.header next_number numbers_at_once;
     s.beyond <- s.next + numbers_at_once
   end;
-  s.next
-
-let number_for p s =
-  let id = if s.many then number_of_many p s else p.size in
+  let id = if s.many then s.next else p.size in
   if (not s.many) && is_crowded ~parts:4 ~of_:5 id p.index then s.full ();
   if id >= Array1.dim p.flat then raise (Limits.Over Memory);
   id
@@ -265,7 +265,9 @@ let intern_key p k =
       let id = add p k (lnot id) in
       Scc_base.Critical.leave ();
       id
-    | Some s -> Scc_base.Critical.run (fun () -> add_shared p s k)
+    | Some s ->
+      see_to_room p s;
+      Scc_base.Critical.run (fun () -> add_shared p s k)
   end
 
 let touch p k = entry p.index (slot k (hash k) p.bits)
@@ -283,24 +285,21 @@ let refresh p =
 let is_room_wanted p =
   match p.shared with Some s -> Shared_memory.read s.header wants_room <> 0 | None -> false
 
+(* Where all have to stop for it, a small index grows by more at once. *)
+let small_bits = 20
+
 (* From what is in the old index: of the numbers that processes took, some have no pair. *)
 let enlarge_shared p =
   match p.shared with
   | None -> ()
   | Some s ->
-    let bits = p.bits + 1 in
+    let bits = if p.bits < small_bits then p.bits + 2 else p.bits + 1 in
     if bits >= Array.length s.indexes then raise (Limits.Over Memory);
     let index = s.indexes.(bits) in
     Array1.fill index (Int32.of_int free);
-    let rec vacant i = if entry index i = free then i else vacant (next index i) in
     for i = 0 to Array1.dim p.index - 1 do
       let e = entry p.index i in
-      if e <> free then begin
-        let id = number e p.bits in
-        let k = key p id in
-        let h = hash k in
-        enter index bits (vacant (slot k h bits)) h id
-      end
+      if e <> free then enter_new p index bits (number e p.bits)
     done;
     Shared_memory.write s.header index_bits bits;
     Shared_memory.write s.header wants_room 0;

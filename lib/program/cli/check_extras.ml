@@ -133,7 +133,8 @@ let invariant =
 let jobs =
   Options.maybe Options.processes [ "j"; "jobs" ] ~docv:"J"
     "The number of processes that explore. By default as many as there are cores, once that pays; with 1 only \
-     this process. The report is the same for any number, to the byte."
+     this process. The report is the same for any number, to the byte, unless $(b,--seconds), $(b,--memory) or an \
+     interruption ends the work: where that is depends on the time, and on the memory of all processes."
 
 let store =
   let doc =

@@ -22,7 +22,8 @@ let openly console ~jobs ~store ~memory options (l : Loaded.t) =
       let { Origin.digest; parameters; _ } = l.origin in
       match Kept.openly console ~folder (Kept.identity ~digest ~parameters options) with
       | Ok store ->
-        Scc_data.Spill.to_folder folder ~beyond:(Memory.bytes_of_words memory / 4);
+        if Option.is_none (Store.failed store) then
+          Scc_data.Spill.to_folder folder ~beyond:(Memory.bytes_of_words memory / 4);
         Ok (with_store (Some store))
       | Error _ as refused -> refused)
 

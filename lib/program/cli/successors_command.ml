@@ -183,7 +183,7 @@ let command =
     Exits.man () ~never:[ Violated; Undecided ]
       ~told:
         [
-          (Holds, "at the end of the input.");
+          (Holds, "at the end of the input; of an owner, before it has begun or after all is found.");
           (Invalid, "if the model is invalid, or a batch does not fit its format.");
           (Stopped, "if an interruption ended it, or the reader of its answers has ended.");
         ]

@@ -20,8 +20,10 @@ let address text =
   match String.rindex_opt text ':' with
   | None -> None
   | Some at ->
-    let port = int_of_string_opt (String.sub text (at + 1) (String.length text - at - 1)) in
-    Option.map (fun port -> (String.sub text 0 at, port)) port
+    let digits = String.sub text (at + 1) (String.length text - at - 1) in
+    let is_digit c = '0' <= c && c <= '9' in
+    let port = if String.for_all is_digit digits then int_of_string_opt digits else None in
+    Option.bind port (fun port -> if 1 <= port && port <= 65535 then Some (String.sub text 0 at, port) else None)
 
 let begin_format =
   let peer (host, port) = Printf.sprintf "%s:%d" host port in
@@ -31,7 +33,7 @@ let begin_format =
      and+ secret = required "secret" some_text (fun b -> b.secret)
      and+ run = required "run" some_text (fun b -> b.run)
      and+ order = required "order" (word Fun.id [ "levels"; "any" ]) order
-     and+ states = optional "states" natural (fun b -> b.states)
+     and+ states = optional "states" (integer ~least:1 ()) (fun b -> b.states)
      and+ deadline = optional "deadline" natural (fun b -> Some b.deadline)
      and+ every = optional "every" natural (fun b -> b.every)
      and+ folder = optional "folder" some_text (fun b -> b.folder)
@@ -58,7 +60,7 @@ let read_begin ~count line =
   match read begin_format json with
   | Error fault -> refused "%s" (fault_to_string fault)
   | Ok (all_there, b) ->
-    if not all_there then refused "a peer is `host:port'";
+    if not all_there then refused "a peer is `host:port', with a port from 1 to 65535";
     if List.length b.peers <> count then refused "there are %d peers, and %d owners" (List.length b.peers) count;
     if (Option.is_some b.every || Option.is_some b.memory) && Option.is_none b.folder then
       refused "`every' and `memory' need a `folder'";

@@ -6,101 +6,7 @@ open Scc_graph_search
 open Scc_parallel
 module Gen = QCheck2.Gen
 
-(* For each state its transitions (target, duration), or a fault. *)
-type toy = (int * int) list option array
-
-(* Things are numbered as they come up, so that no two processes have the same numbers for them. *)
-module Numbers = struct
-  type t = { number : (int, int) Hashtbl.t; mutable things : int list; first : int; common : Common.numbers }
-
-  let create first = { number = Hashtbl.create 8; things = []; first; common = Common.numbers () }
-  let beyond t = t.first + List.length t.things
-
-  let own t thing =
-    match Hashtbl.find_opt t.number thing with
-    | Some n -> n
-    | None ->
-      let n = beyond t in
-      t.things <- t.things @ [ thing ];
-      Hashtbl.replace t.number thing n;
-      n
-
-  let thing t own = List.nth t.things (own - t.first)
-  let intern t thing_ = Common.common t.common (own t thing_) (fun own -> string_of_int (thing t own))
-  let get t n = thing t (Common.own t.common n (fun text -> own t (int_of_string text)))
-end
-
-(* A state is a number twice, in two slots of one family, so that a change may be of one or two. *)
-module Toy = struct
-  type context = {
-    graph : toy;
-    states : Numbers.t;
-    durations : Numbers.t;
-    reducing : bool;  (** one transition will do where its target is new *)
-    dies : int -> bool;  (** in another process, at this state *)
-    own : int;  (** the number of this process *)
-  }
-
-  type fault = string
-
-  let make ?(reducing = false) ?(dies = fun _ -> false) ?(first = 0) graph =
-    {
-      graph; reducing; dies;
-      states = Numbers.create first;
-      durations = Numbers.create first;
-      own = Unix.getpid ();
-    }
-
-  let width _ = 2
-
-  let encode c s =
-    let a = Numbers.intern c.states (s / 3) in
-    [| a; Numbers.intern c.states (1000 + (s mod 3)) |]
-
-  let decode c (t : int array) = (3 * Numbers.get c.states t.(0)) + (Numbers.get c.states t.(1) - 1000)
-  let initial c = encode c 0
-
-  let step c from (target, d) =
-    { Lts.label = Numbers.intern c.durations d; changes = Tuples.difference from (encode c target) }
-
-  let successors c tuple =
-    let s = decode c tuple in
-    if c.dies s && Unix.getpid () <> c.own then Unix._exit 9;
-    match c.graph.(s) with
-    | Some l -> Ok (List.map (step c tuple) l)
-    | None -> Error "broken"
-
-  let reduced c tuple =
-    match c.graph.(decode c tuple) with
-    | Some (first :: _ :: _) when c.reducing -> Some [ step c tuple first ]
-    | Some _ | None -> None
-
-  let entered _ _ = ()
-  let numbers_so_far c = Int.max (Numbers.beyond c.states) (Numbers.beyond c.durations)
-
-  let share c table =
-    Common.share c.states.common table ~kind:0 ~base:(Numbers.beyond c.states);
-    Common.share c.durations.common table ~kind:1 ~base:(Numbers.beyond c.durations);
-    true
-
-  let has_entered _ _ = true
-  let transitions _ _ = 1
-  let duration c label = Rat.of_int (Numbers.get c.durations label)
-  let longest _ = 0
-  let bits _ _ = 0
-end
-
-module Exchange = struct
-  type context = Toy.context
-
-  let width = Toy.width
-  let families _ = 1
-  let family _ _ = 0
-  let component (c : context) ~family:_ n = string_of_int (Numbers.get c.states n)
-  let of_component (c : context) ~family:_ text = Numbers.intern c.states (int_of_string text)
-  let name (c : context) n = string_of_int (Numbers.get c.durations n)
-  let of_name (c : context) text = Numbers.intern c.durations (int_of_string text)
-end
+open Toys
 
 module Graph = Explore.Make (Toy)
 module Journal = Journal.Make (Toy) (Exchange) (Graph)
@@ -384,6 +290,46 @@ let zigzags =
          Alcotest.(check (list string)) "the same notes" (kept_alone ()) (kept ()))
       [ (false, false, true); (true, false, true); (false, true, true); (false, false, false) ]
 
+(* After quick states come slow ones with many targets, and a bound on states ends the exploration among them. What
+   is expanded, anywhere, is hardly more than one process expands, and nobody waits for what is not needed. *)
+let slow_states () =
+  let quick = 30 and many = 60 in
+  let edges i =
+    if i < quick then [ ((2 * i) + 1, 1); ((2 * i) + 2, 1) ]
+    else if i < 100 then List.init many (fun k -> (100 + ((i - quick) * many) + k, 1))
+    else []
+  in
+  let toy = Array.init (100 + (100 * many)) (fun i -> Some (edges i)) in
+  let case =
+    {
+      toy; depth = None; time = None; states = Some 300;
+      by_time = false; keep_edges = true; sees_edges = true; reducing = false;
+    }
+  in
+  let count = Option.get (Scc_shared.Shared_memory.numbers 1) in
+  let dies s =
+    if s >= quick then begin
+      ignore (Scc_shared.Shared_memory.add count 0 1);
+      Unix.sleepf 0.1
+    end;
+    false
+  in
+  let measured expanding =
+    Scc_shared.Shared_memory.write count 0 0;
+    let start = Unix.gettimeofday () in
+    let text = told ~dies ~expanding case in
+    (text, Scc_shared.Shared_memory.read count 0, Unix.gettimeofday () -. start)
+  in
+  let alone, needed, seconds = measured Graph.here in
+  Alcotest.(check int) "by one process" 4 needed;
+  List.iter
+    (fun jobs ->
+       let text, begun, lasted = measured (by_crew jobs) in
+       Alcotest.(check bool) "it is the same" true (String.equal alone text);
+       if begun > needed + (2 * jobs) then Alcotest.failf "%d processes began %d slow states" jobs begun;
+       if lasted > (2. *. seconds) +. 0.5 then Alcotest.failf "%d processes took %g seconds" jobs lasted)
+    [ 2; 4 ]
+
 let () =
   Alcotest.run "expand"
     [
@@ -396,5 +342,8 @@ let () =
         ] );
       ( "several processes",
         Scc_test_support.Property.cases [ crews; both; deaths ]
-        @ [ Alcotest.test_case "a large graph" `Quick zigzags ] );
+        @ [
+          Alcotest.test_case "a large graph" `Quick zigzags;
+          Alcotest.test_case "slow states" `Quick slow_states;
+        ] );
     ]

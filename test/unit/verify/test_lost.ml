@@ -34,9 +34,9 @@ let run ?(options = within) (e : Scc_elaborate.Elaborate.t) semantics =
 let while_exploring ?(options = within) text =
   let exploring = ref true in
   let over () = exploring := false in
-  let expanding ~about:_ t ~all_edges ~waits ~dull =
+  let expanding ~about:_ t ~all_edges ~waits ~room ~dull =
     exploring := true;
-    let e = State_graph.here t ~all_edges ~waits ~dull in
+    let e = State_graph.here t ~all_edges ~waits ~room ~dull in
     { e with finish = (fun () -> over (e.finish ())) }
   in
   let compacting ~about:_ context =
@@ -168,8 +168,8 @@ check start : possibly (x(far) = 0 and y(far) = 90)
     }
   in
   let semantics = Semantics.make ~geometry:{ exact with first_time_of_contact } ~neighbours e.model in
-  let expanding ~about:_ t ~all_edges ~waits ~dull =
-    let e = State_graph.here t ~all_edges ~waits ~dull in
+  let expanding ~about:_ t ~all_edges ~waits ~room ~dull =
+    let e = State_graph.here t ~all_edges ~waits ~room ~dull in
     let expand i tuple =
       over := false;
       e.expand i tuple
