@@ -305,6 +305,15 @@ class Errors(Commands):
             self.assertRegex(error.message, "Nothing")
             self.assertEqual(pickle.loads(pickle.dumps(error)).place, error.place)
 
+    def test_places_in_other_files(self):
+        path = os.path.abspath(self.path("bad.sc"))
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("shape X {\n")
+        for text, expected in (('import "%s"\n' % path, path), ("shape X {\n", "<model>")):
+            with self.assertRaises(CommandFailed) as caught:
+                check(text)
+            self.assertEqual(caught.exception.place.file, expected)
+
     def test_nothing(self):
         with self.assertRaises(CommandFailed) as caught:
             check("")
