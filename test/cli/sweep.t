@@ -325,3 +325,14 @@ A column of a parameter with the name of another column is in round brackets.
   point,(why),kick,(point),runs,check,verdict,least from,least to,greatest from,greatest to,why
   0,1,3,4,5,stays,holds,,,,,
   1,2,3,4,5,stays,holds,,,,,
+
+A number of more digits than a literal has room for is refused by the name of the limit.
+
+  $ scc sweep named.sc -D why=1e4000 2>&1 | head -2
+  scc: option '-D': a number is too large: at most 4000 digits each above and
+       below the line
+  $ scc sweep named.sc -D why=1,2/1e5000 2>&1 | head -2
+  scc: option '-D': a number is too large: at most 4000 digits each above and
+       below the line
+  $ scc sweep named.sc -D why=1/0 2>&1 | head -1
+  scc: option '-D': `1/0' is no number
