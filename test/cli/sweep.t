@@ -297,3 +297,42 @@ Estimates at each point: those of `scc estimate` there, for any number of proces
   scc: --plot does not go with --estimate
   $ scc sweep ruin.sc -D n=2 --estimate --runs 5 --most 5 2>&1 | head -1
   scc: --runs cannot be combined with --most or --width: it makes so many runs, whatever they tell
+
+A column of a parameter with the name of another column is in round brackets.
+
+  $ cat > named.sc <<'END'
+  > param why = 1
+  > param kick = 1
+  > param point = 1
+  > param runs = 1
+  > import <solids>
+  > process w = solids.Cube(1) mass why [nil]
+  > check stays : always x(w) = 0
+  > END
+  $ scc sweep named.sc -D why=1,2 -D kick=3 -D point=4 -D runs=5
+  named.sc:2:7: warning[SC0211]: the parameter `kick` is not used
+     |
+   2 | param kick = 1
+     |       ^^^^
+  named.sc:3:7: warning[SC0211]: the parameter `point` is not used
+     |
+   3 | param point = 1
+     |       ^^^^^
+  named.sc:4:7: warning[SC0211]: the parameter `runs` is not used
+     |
+   4 | param runs = 1
+     |       ^^^^
+  point,(why),kick,(point),runs,check,verdict,least from,least to,greatest from,greatest to,why
+  0,1,3,4,5,stays,holds,,,,,
+  1,2,3,4,5,stays,holds,,,,,
+
+A number of more digits than a literal has room for is refused by the name of the limit.
+
+  $ scc sweep named.sc -D why=1e4000 2>&1 | head -2
+  scc: option '-D': a number is too large: at most 4000 digits each above and
+       below the line
+  $ scc sweep named.sc -D why=1,2/1e5000 2>&1 | head -2
+  scc: option '-D': a number is too large: at most 4000 digits each above and
+       below the line
+  $ scc sweep named.sc -D why=1/0 2>&1 | head -1
+  scc: option '-D': `1/0' is no number

@@ -14,7 +14,7 @@ import unittest
 from fractions import Fraction
 
 import shapecalculus
-from shapecalculus import CommandFailed, Oracle, ServiceError, check, estimate, simulate, sweep, trace, view
+from shapecalculus import CommandFailed, Oracle, RequestError, ServiceError, check, estimate, simulate, sweep, trace, view
 from tests.support import CLIENT, MODEL, program
 
 MODELS = os.path.join(CLIENT, os.pardir, os.pardir, "specs", "models")
@@ -304,6 +304,26 @@ class Errors(Commands):
             self.assertEqual((error.place.file, error.place.column), ("<model>", 13))
             self.assertRegex(error.message, "Nothing")
             self.assertEqual(pickle.loads(pickle.dumps(error)).place, error.place)
+
+    def test_numbers_that_are_too_long(self):
+        long = Fraction(10**5000, 3)
+        for call in (lambda: check(MODEL, define={"speed": long}), lambda: check(MODEL, time=long),
+                     lambda: check(MODEL.replace("= 2", "in [0, 6]"), define={"speed": (1, long)}),
+                     lambda: sweep(MODEL, {"speed": [1, long]})):
+            with self.assertRaisesRegex(CommandFailed, r"at\s+most\s+4000\s+digits"):
+                call()
+        with Oracle(program()) as oracle:
+            with self.assertRaisesRegex(RequestError, "limit `digits`"):
+                oracle.load_model(MODEL, parameters={"speed": long})
+
+    def test_places_in_other_files(self):
+        path = os.path.abspath(self.path("bad.sc"))
+        with open(path, "w", encoding="utf-8") as file:
+            file.write("shape X {\n")
+        for text, expected in (('import "%s"\n' % path, path), ("shape X {\n", "<model>")):
+            with self.assertRaises(CommandFailed) as caught:
+                check(text)
+            self.assertEqual(caught.exception.place.file, expected)
 
     def test_nothing(self):
         with self.assertRaises(CommandFailed) as caught:

@@ -2,6 +2,7 @@
 
 import base64
 import html.parser
+import pickle
 import unittest
 from fractions import Fraction
 
@@ -64,6 +65,19 @@ class Texts(unittest.TestCase):
         self.assertEqual(_display.plain(None), "")
         self.assertEqual(len(_display.plain("x" * 10**6)), _display.LONGEST)
 
+    def test_values_of_any_length(self):
+        for zeros in (17, 639, 4299, 4300, 10**5):
+            long = 10**zeros
+            for value, shown in [(Fraction(long), "≈ 1E+%d"), (Fraction(-1, long), "≈ -1E-%d")]:
+                self.assertEqual(_display.plain(value), shown % zeros)
+            self.assertEqual(_display.plain(long), str(long) if zeros < 300 else "≈ 1E+%d" % zeros)
+
+    def test_bounds_once(self):
+        bounds = [{"limit": "interrupted"}, {"limit": "states"}, {"limit": "interrupted"}]
+        known = {"states": 1, "transitions": 2, "depth": 3, "complete": False, "stopped_by": bounds}
+        said = "1 states, 2 transitions, depth 3; stopped by: interrupted, states"
+        self.assertEqual(_display.explored({"explored": known}), said)
+
     def test_long_tables_are_cut(self):
         rows = [{"n": n, "empty": None} for n in range(100)]
         shown = _display.table(rows, ["n", "empty"], most=5)
@@ -100,6 +114,25 @@ class Results(unittest.TestCase):
         swept = sweep(MODEL, {"speed": [1, 2]}, scc=program())
         self.assertEqual(swept._repr_html_().count("✓ holds"), 2)
         self.assertEqual(self.plain(swept), "<swept: 2 holds over speed>")
+
+    def test_long_numbers(self):
+        model = MODEL.replace("translate (7,0,0)", "translate (5 * far*far*far*far*far + 2, 0, 0)")
+        model = "param far = 1\n" + model + "check when : E = ? [ time U bound(p, q) ]\n"
+        for zeros in (1, 700, 859, 860, 2000):
+            far = {"far": 10**zeros}
+            results = [sweep(model, {"far": [1, 10**zeros]}, scc=program()), trace(model, define=far, scc=program()),
+                       check(model, define=far, scc=program()),
+                       simulate(model, define=far, runs=1, observe="x(q)", every=1, until=1, scc=program())]
+            # The bodies are 1 from their centres, and the speed is 2.
+            self.assertEqual(results[0].rows[-1]["low"], Fraction(5 * 10 ** (5 * zeros), 2))
+            for result in results:
+                self.assertTrue(repr(result) and self.plain(result))
+                self.assertIn("≈" if zeros > 1 else "5000", result._repr_html_())
+                self.assertEqual(pickle.loads(pickle.dumps(result.rows)), result.rows)
+                try:
+                    self.assertTrue(str(result.to_dataframe()) and str(result.to_dataframe(as_float=True)))
+                except ImportError:
+                    pass  # no pandas
 
     def test_runs_and_pages(self):
         traced = trace(MODEL, scc=program())

@@ -11,6 +11,7 @@ from decimal import Decimal
 from fractions import Fraction
 
 from shapecalculus import Batch, LimitExceeded, Meeting, Oracle, OracleError, RequestError, ServiceError, UnknownHandle
+from shapecalculus import _source as source
 from shapecalculus import errors, numbers, oracle, requests
 from shapecalculus.oracle import _batch, _cast_texts, _lines
 
@@ -209,6 +210,24 @@ def params(request):
 
 
 class NumbersOfOthers(unittest.TestCase):
+    def test_numbers_of_any_length(self):
+        for zeros in (598, 599, 639, 640, 4299, 4300, 20000):
+            for value, text in [(10**zeros, "1" + zeros * "0"), (Fraction(-(10**zeros), 3), "-1%s/3" % (zeros * "0"))]:
+                for given in (value, Fraction(value), text, numbers.LongFraction(value)):
+                    self.assertEqual(numbers.exact(given), value)
+                    said = json.loads(numbers.to_text(given), parse_int=str)
+                    self.assertIn(said, (text, text + "/1"))
+                    self.assertEqual(numbers.vector_to_text([given, 1, 1]).count("0"), zeros)
+                    self.assertIn(text, oracle._to_json(numbers.vector_to_json([given, 1, 1])))
+                    self.assertEqual(source.number("--time", given), ["--time=" + text])
+                answer = numbers.fraction(text if "/" in text else text + "/1")
+                self.assertEqual((answer, hash(answer)), (value, hash(value)))
+                self.assertTrue(str(answer) and repr(answer))
+                self.assertEqual(copy.deepcopy(pickle.loads(pickle.dumps(answer))), value)
+        self.assertEqual(numbers.exact("0." + 700 * "0" + "1"), Fraction(1, 10**701))
+        for wrong in ("x" * 5000, "1/" + 5000 * "0", 5000 * "1" + "/", "nan" + 5000 * "1"):
+            self.assertRaisesRegex(ValueError, "not a number", numbers.to_json, wrong)
+
     def test_all_numbers(self):
         for number, same in [(Int64(-3), -3), (Float32(0.1), 0.1), (Float32(3.0), 3)]:
             self.assertEqual(numbers.to_json(number), numbers.to_json(same))

@@ -1,9 +1,11 @@
 """The pipes, against small services that behave badly."""
 
+import gc
 import os
 import signal
 import sys
 import tempfile
+import time
 import unittest
 
 from shapecalculus import Oracle, ServiceError
@@ -137,14 +139,59 @@ class Interruptions(unittest.TestCase):
         self.addCleanup(signal.signal, signal.SIGINT, before)
 
     def test_while_an_answer_is_awaited(self):
+        start = time.monotonic()
         with self.assertRaises(KeyboardInterrupt):
             Oracle([sys.executable, "-c", "import os, signal, sys, time; sys.stdin.readline(); " + self.STOP])
+        self.assertLess(time.monotonic() - start, 4)  # nobody waits for its answer
 
     def test_while_it_is_closed(self):
         s = service("import os, signal, sys, time; sys.stdin.read(); " + self.STOP)
         with self.assertRaises(KeyboardInterrupt):
             s.close()
         self.assertEqual(s._process.returncode, -signal.SIGKILL)
+
+
+class Processes(unittest.TestCase):
+    def test_after_a_fork(self):
+        s = service(ECHO)
+        s.send(b"one\n")
+        child = os.fork()
+        if child == 0:
+            code = 1
+            try:
+                for call in (lambda: s.send(b"two\n"), s.receive):
+                    with self.assertRaisesRegex(ServiceError, "belongs to the process that started it"):
+                        call()
+                self.assertIsNone(s.close())
+                code = 0
+            finally:
+                os._exit(code)
+        self.assertEqual(os.waitpid(child, 0)[1], 0)
+        self.assertEqual(s.receive(), b"one")
+        s.send(b"three\n")
+        self.assertEqual(s.receive(), b"three")
+        self.assertEqual(s.close(), 0)
+
+    def test_dropped(self):
+        for program in (ECHO, "import time; time.sleep(600)"):
+            s = service(program)
+            process, pipes = s._process, (s._stdin, s._stdout)
+            del s
+            gc.collect()
+            self.assertIsNotNone(process.returncode)
+            self.assertTrue(all(pipe.closed for pipe in pipes))
+
+    def test_dropped_after_a_fork(self):
+        s = service(ECHO)
+        child = os.fork()
+        if child == 0:
+            del s
+            gc.collect()
+            os._exit(0)
+        os.waitpid(child, 0)
+        s.send(b"x\n")
+        self.assertEqual(s.receive(), b"x")
+        self.assertEqual(s.close(), 0)
 
 
 class Timeouts(unittest.TestCase):

@@ -10,7 +10,7 @@ import unittest
 from fractions import Fraction
 
 from shapecalculus import ServiceError, sweep, sweep_records
-from shapecalculus.sweeps import records_of
+from shapecalculus.sweeps import COLUMNS, ESTIMATES, records_of
 
 from .support import program
 
@@ -65,6 +65,30 @@ class Sweeps(unittest.TestCase):
         for point in [found, {**found, "estimate": {**made, "approximate": False}}]:
             [record] = records_of([{"parameters": {}, "refused": None, "checks": [point]}])
             self.assertEqual("approximate" in record["why"], point is found)
+
+    def test_parameters_named_like_columns(self):
+        for name in [*COLUMNS, *ESTIMATES]:
+            point = {"name": "c", "verdict": "holds", "values": [], "reasons": []}
+            [record] = records_of([{"parameters": {name: "7/2"}, "refused": None, "checks": [point]}])
+            self.assertEqual((record["(%s)" % name], record["verdict"]), (Fraction(7, 2), "holds"))
+        with open(self.path, "w", encoding="utf-8") as file:
+            file.write(WALK.replace("param p", "param low").replace("weight p", "weight low").replace("1 - p", "1 - low"))
+        swept = self.sweep({"low": ["1/3", "1/2"]}, check="ruin")
+        self.assertEqual((swept.parameters, swept.columns), (("low",), ("(low)",)))
+        self.assertEqual([r["(low)"] for r in swept], [Fraction(1, 3), Fraction(1, 2)])
+        self.assertTrue(all(r["low"] == r["high"] != r["(low)"] for r in swept))
+        shown = swept._repr_html_()
+        self.assertTrue("(low)</th>" in shown and ">1/3<" in shown)
+        try:
+            self.assertEqual(swept.to_dataframe()["(low)"].tolist(), [Fraction(1, 3), Fraction(1, 2)])
+        except ImportError:
+            pass  # no pandas
+        try:
+            drawn = swept.plot()
+        except ImportError:
+            return  # no matplotlib
+        self.assertEqual(drawn.get_xlabel(), "(low)")
+        self.assertEqual(list(drawn.lines[0].get_xdata()), [1 / 3, 1 / 2])
 
     def test_order_and_infinity(self):
         records = self.sweep({"p": ["1/4", "1/2"], "n": [1, 2]})

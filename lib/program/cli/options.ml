@@ -7,7 +7,9 @@ let rational =
     match Rat.of_literal s with
     | Ok q -> Ok q
     | Error Malformed -> Error (`Msg (Printf.sprintf "`%s' is no number such as 3, 1/4, 0.125 or 1e-3" s))
-    | Error Too_large -> Error (`Msg "the number is too large")
+    | Error Too_large ->
+      let most = Printf.sprintf "at most %d digits each above and below the line" Rat.max_digits in
+      Error (`Msg ("a number is too large: " ^ most))
     | Error Zero_denominator -> Error (`Msg (Printf.sprintf "`%s' has a zero denominator" s))
   in
   Arg.conv ~docv:"NUMBER" (parse, fun ppf q -> Format.pp_print_string ppf (Rat.to_string q))

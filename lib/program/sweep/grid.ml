@@ -8,7 +8,9 @@ let most = 1_000_000
 let number text =
   match Rat.of_literal (String.trim text) with
   | Ok r -> Ok r
-  | Error _ -> Error (Printf.sprintf "`%s' is no number" text)
+  | Error Too_large ->
+    Error (Printf.sprintf "a number is too large: at most %d digits each above and below the line" Rat.max_digits)
+  | Error (Malformed | Zero_denominator) -> Error (Printf.sprintf "`%s' is no number" text)
 
 let steps text low high step =
   if Rat.sign step <= 0 then Error (Printf.sprintf "`%s' has no positive step" text)

@@ -38,10 +38,11 @@ let number_columns t =
   | Some _ -> (("estimate" ^ rounded "") :: ends "") @ [ "runs" ]
 
 let csv_header t =
-  csv_line
-    (("point" :: List.map (fun (a : Grid.axis) -> a.name) t.grid)
-     @ (if t.diffuses then [ "kick" ] else [])
-     @ [ "check"; "verdict" ] @ number_columns t @ [ "why" ])
+  let after = (if t.diffuses then [ "kick" ] else []) @ [ "check"; "verdict" ] @ number_columns t @ [ "why" ] in
+  let parameter (a : Grid.axis) =
+    if List.mem a.name ("point" :: after) then Printf.sprintf "(%s)" a.name else a.name
+  in
+  csv_line (("point" :: List.map parameter t.grid) @ after)
 
 let number_fields t (c : Outcome.check) =
   let text exactly rounded = function

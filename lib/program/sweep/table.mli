@@ -16,7 +16,7 @@ type t = {
 }
 
 val csv_header : t -> string
-(** The names of the columns, in one line. *)
+(** The names of the columns, in one line. A parameter with the name of another column has it in brackets. *)
 
 val csv : t -> int -> Outcome.t -> string
 (** A line for each check at the point of this number, and a single line if the model is invalid there. *)

@@ -28,12 +28,13 @@ def _of_json(document: Any) -> Tuple[Diagnostic, ...]:
 
 def _named(diagnostics: Sequence[Diagnostic], argument: str) -> Tuple[Diagnostic, ...]:
     """The texts of a model have the names that they have for an oracle."""
-    folder = os.path.dirname(argument) + os.sep
+    # Of a text alone there is no folder.
+    folder = None if argument == "-" else os.path.dirname(argument) + os.sep
 
     def name(file: str) -> str:
         if file in (STANDARD_INPUT, argument):
             return "<model>"
-        return file[len(folder) :] if file.startswith(folder) else file
+        return file if folder is None or not file.startswith(folder) else file[len(folder) :]
 
     def renamed(d: Diagnostic) -> Diagnostic:
         return d if d.place is None else replace(d, place=Place(name(d.place.file), d.place.line, d.place.column))

@@ -9,9 +9,10 @@ from __future__ import annotations
 import base64
 import html
 import math
-from decimal import Context
 from fractions import Fraction
 from typing import Any, Dict, Iterable, List, Mapping, Protocol, Sequence
+
+from . import numbers
 
 #: A table shows so many rows; the result has all.
 ROWS = 12
@@ -40,11 +41,12 @@ def plain(value: Any) -> str:
     if value is None:
         return ""
     if isinstance(value, Fraction):
-        exact = str(value)
-        # A decimal has room for every exponent; a float has not.
-        context = Context(prec=6)
-        rounded = context.divide(context.create_decimal(value.numerator), context.create_decimal(value.denominator))
-        return exact if len(exact) <= 16 else "≈ %s" % rounded
+        # Python writes no long integers, so that their bits decide first.
+        small = max(value.numerator.bit_length(), value.denominator.bit_length()) <= 64
+        exact = str(value) if small else ""
+        return exact if small and len(exact) <= 16 else "≈ " + numbers.rounded(value)
+    if isinstance(value, int) and value.bit_length() > 3 * LONGEST:
+        return "≈ " + numbers.rounded(value)
     if isinstance(value, float) and math.isinf(value):
         return "∞" if value > 0 else "-∞"
     text = str(value)
@@ -99,7 +101,7 @@ def explored(report: Mapping[str, Any]) -> str:
     """How much was explored, and what ended it."""
     known = report["explored"]
     said = "%d states, %d transitions, depth %d" % (known["states"], known["transitions"], known["depth"])
-    stopped: List[str] = [str(bound["limit"]) for bound in known["stopped_by"]]
+    stopped: List[str] = list(dict.fromkeys(str(bound["limit"]) for bound in known["stopped_by"]))
     if stopped:
         return "%s; stopped by: %s" % (said, ", ".join(stopped))
     return said + ("; complete" if known["complete"] else "")

@@ -6,6 +6,7 @@ import math
 from fractions import Fraction
 from typing import Any, Dict, List, Optional, Sequence
 
+from . import _display
 from .sweeps import Record
 
 #: Runs that are drawn by themselves; of more, the first ones are.
@@ -93,7 +94,7 @@ def _curves(records: Sequence[Record], along: str, fixed: Sequence[str]) -> Dict
     curves: Dict[str, List[Record]] = {}
     for record in records:
         if record["low"] is not None or record["high"] is not None:
-            rest = ", ".join("%s = %s" % (name, record[name]) for name in fixed)
+            rest = ", ".join("%s = %s" % (name, _display.plain(record[name])) for name in fixed)
             curves.setdefault("%s%s" % (record["check"], " (%s)" % rest if rest else ""), []).append(record)
     return {name: sorted(found, key=lambda r: r[along]) for name, found in curves.items()}
 
@@ -134,7 +135,7 @@ def verdicts(records: Sequence[Record], parameters: Sequence[str], drawn: Any) -
     if len(points) > POINTS:
         drawn.set_title("%d of %d points" % (POINTS, len(points)))
     drawn.set_yticks(range(len(names)), [literal(name) for name in names])
-    labels = [", ".join(map(str, point)) for point in shown]
+    labels = [", ".join(map(_display.plain, point)) for point in shown]
     drawn.set_xticks(range(len(shown)), labels, rotation=0 if sum(map(len, labels)) < 60 else 90)
     drawn.set_xlim(-0.5, len(shown) - 0.5)
     drawn.set_ylim(len(names) - 0.5, -0.5)

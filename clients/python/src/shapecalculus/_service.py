@@ -10,6 +10,7 @@ import os
 import select
 import subprocess
 import time
+import weakref
 from typing import List, Optional, Sequence
 
 from ._lifeline import tied
@@ -19,12 +20,34 @@ from .errors import ServiceError
 _CHUNK = 1 << 18
 # Seconds: poll takes no more milliseconds than an int of C has room for.
 _LONGEST_WAIT = 1_000_000
+# Seconds that a service has to end by itself when it is asked to, and when nobody waits for its answer any more.
+_PATIENTLY, _SHORTLY = 5.0, 0.2
 
 
 def how_ended(code: Optional[int], killed: bool) -> str:
     if code is None or killed:
         return ""
     return " (signal %d)" % -code if code < 0 else " (exit code %d)" % code
+
+
+def _ended(process: "subprocess.Popen[bytes]", owner: int, patience: float) -> bool:
+    """Closes the pipes of a service, and ends it if this process, ``owner``, has started it. Whether it was killed."""
+    killed = False
+    try:
+        for pipe in (process.stdin, process.stdout):
+            if pipe is not None:
+                pipe.close()
+        if os.getpid() == owner:
+            process.wait(patience)
+    except subprocess.TimeoutExpired:
+        pass
+    finally:
+        # Also when Ctrl-C comes meanwhile.
+        if os.getpid() == owner and process.poll() is None:
+            killed = True
+            process.kill()
+            process.wait()
+    return killed
 
 
 class Service:
@@ -57,17 +80,27 @@ class Service:
         self._lines: List[bytes] = []  # finished ones, the next one last
         self._closed = False
         self._killed = False  # by this client
+        self._started_by = os.getpid()
+        # Of one that nobody has closed. At the end of Python the system closes its pipes.
+        self._dropped = weakref.finalize(self, _ended, self._process, self._started_by, _SHORTLY)
+        self._dropped.atexit = False
 
     @property
     def pid(self) -> int:
         return self._process.pid
 
+    def _is_ours(self) -> None:
+        # After a fork two processes would read the answers from one pipe.
+        if os.getpid() != self._started_by:
+            raise ServiceError("this service belongs to the process that started it: make an Oracle in each process")
+        if self._closed:
+            raise ServiceError("the oracle is closed")
+
     # Requests.
 
     def send(self, line: bytes) -> None:
         """Queues a line (with its newline), and writes what can be written at once."""
-        if self._closed:
-            raise ServiceError("the oracle is closed")
+        self._is_ours()
         rest = self._to_write
         self._to_write = memoryview(bytes(rest) + line if rest else line)
         self._write()
@@ -92,8 +125,7 @@ class Service:
 
     def receive(self) -> bytes:
         """The next line, without its newline."""
-        if self._closed:
-            raise ServiceError("the oracle is closed")
+        self._is_ours()
         limit = None if self._timeout is None else time.monotonic() + self._timeout
         while not self._lines:
             left = None if limit is None else max(0.0, limit - time.monotonic())
@@ -129,27 +161,22 @@ class Service:
 
     def _lost(self, what: str) -> ServiceError:
         """Ends a service that cannot be used any more, and says why."""
-        self._stop(0.2)
+        self._stop(_SHORTLY)
         return ServiceError("the service %s%s" % (what, how_ended(self._process.returncode, self._killed)))
 
-    def close(self) -> int:
-        """Closes its input, waits until it ends and returns its exit code; again: the same."""
-        self._stop(5.0)
-        return int(self._process.returncode)
+    def close(self) -> Optional[int]:
+        """Closes its input, waits until it ends and returns its exit code; again: the same. In another process than the
+        one that started it, only the pipes of that process are closed; there is no exit code."""
+        self._stop(_PATIENTLY)
+        return self._process.returncode if os.getpid() == self._started_by else None
+
+    def abandon(self) -> None:
+        """Ends it, though it may be at work on a request."""
+        self._stop(_SHORTLY)
 
     def _stop(self, patience: float) -> None:
         if self._closed:
             return
         self._closed = True
-        try:
-            self._stdin.close()
-            self._stdout.close()
-            self._process.wait(patience)
-        except subprocess.TimeoutExpired:
-            pass
-        finally:
-            # Also when Ctrl-C comes meanwhile.
-            if self._process.poll() is None:
-                self._killed = True
-                self._process.kill()
-                self._process.wait()
+        self._killed = _ended(self._process, self._started_by, patience)
+        self._dropped.detach()

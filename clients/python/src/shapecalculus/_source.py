@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import os
 import tempfile
-from fractions import Fraction
 from typing import Generator, Iterable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import numbers
@@ -82,11 +81,11 @@ def number(name: str, value: Optional[Number]) -> List[str]:
 
 def seconds(name: str, value: Optional[Number]) -> List[str]:
     """Of the clock: as decimals, since nothing depends on them exactly."""
-    return [] if value is None else _one(name, repr(float(Fraction(numbers.to_json(value)))))
+    return [] if value is None else _one(name, repr(float(numbers.exact(value))))
 
 
 def integer(name: str, value: Optional[int]) -> List[str]:
-    return [] if value is None else _one(name, str(numbers.integer(value)))
+    return [] if value is None else _one(name, numbers.digits(numbers.integer(value)))
 
 
 def text(name: str, value: Optional[str]) -> List[str]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from decimal import Decimal
 from fractions import Fraction
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Union
 
@@ -14,7 +13,7 @@ Row = Dict[str, Any]
 
 def exact(text: str) -> Fraction:
     """The number of a text "p/q", or of one with decimals."""
-    return numbers.fraction(text) if "/" in text else Fraction(Decimal(text))
+    return numbers.fraction(text) if "/" in text else numbers.decimal(text)
 
 
 def maybe(text: Optional[str]) -> Optional[Fraction]:

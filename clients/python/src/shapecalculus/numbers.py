@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from decimal import Decimal
+import re
+from decimal import MAX_EMAX, MIN_EMIN, Context, Decimal, InvalidOperation
 from fractions import Fraction
 from numbers import Rational
 from typing import Any, List, Sequence, SupportsIndex, Tuple, Union
@@ -25,6 +26,42 @@ Matrix = Tuple[Vector, Vector, Vector]
 Quaternion = Tuple[int, int, int, int]
 
 
+# Python reads and writes no integers of more than 4300 digits, and of more than 640 where its user says so; but it does
+# so with decimals of any length.
+_DIGITS = 600
+_BITS = 1990
+#: From so many digits on an answer is a LongFraction.
+_LONG = 4000
+_QUOTIENT = re.compile(r"\s*([-+]?[0-9]+)/([0-9]+)\s*")
+
+# Decimals with room for every exponent; a float has not.
+_ROUNDED = Context(prec=6, Emax=MAX_EMAX, Emin=MIN_EMIN)
+
+
+def digits(number: int) -> str:
+    """All of them, however many."""
+    return str(number) if number.bit_length() < _BITS else format(Decimal(number), "f")
+
+
+def rounded(number: Union[int, Fraction]) -> str:
+    """A decimal of six digits."""
+    p, q = _ROUNDED.create_decimal(number.numerator), _ROUNDED.create_decimal(number.denominator)
+    return str(_ROUNDED.normalize(_ROUNDED.divide(p, q)))
+
+
+class LongFraction(Fraction):
+    """A Fraction of an answer with so many digits that Python would not write it: as a text it is rounded."""
+
+    def __str__(self) -> str:
+        return "≈ " + rounded(self)
+
+    def __repr__(self) -> str:
+        return "<Fraction %s>" % self
+
+    def __reduce__(self) -> Any:
+        return (LongFraction, (self.numerator, self.denominator))
+
+
 # Of requests.
 
 
@@ -36,8 +73,17 @@ def integer(number: SupportsIndex) -> int:
         raise TypeError("not an integer: %r, of the type %s" % (number, type(number).__name__)) from error
 
 
+def _read(text: str) -> Fraction:
+    if len(text) < _DIGITS:
+        return Fraction(text)
+    quotient = _QUOTIENT.fullmatch(text)
+    return Fraction(_integer(quotient[1]), _integer(quotient[2])) if quotient else Fraction(Decimal(text))
+
+
 def _exact(number: Number) -> Fraction:
-    if isinstance(number, (str, float, Decimal, Fraction)):
+    if isinstance(number, str):
+        return _read(number)
+    if isinstance(number, (float, Decimal, Fraction)):
         return Fraction(number)
     like: Any = number
     if hasattr(like, "__index__"):
@@ -56,18 +102,26 @@ def _exact(number: Number) -> Fraction:
     )
 
 
-def to_json(number: Number) -> Union[int, str]:
-    """A number as requests have it. ValueError for NaN, infinities and texts that are no number, else TypeError."""
-    kind = type(number)
-    if kind is int:
-        return number  # type: ignore[return-value]
+def exact(number: Number) -> Fraction:
+    """A number of a request. ValueError for NaN, infinities and texts that are no number, else TypeError."""
     try:
-        value = _exact(number)
-    except (OverflowError, ZeroDivisionError, ValueError) as error:
+        return _exact(number)
+    except (OverflowError, ZeroDivisionError, ValueError, InvalidOperation) as error:
         raise ValueError("not a number: %r" % (number,)) from error
+
+
+def _int_to_json(number: int) -> Union[int, str]:
+    return number if number.bit_length() < _BITS else digits(number)
+
+
+def to_json(number: Number) -> Union[int, str]:
+    """A number as requests have it: an integer, or a text. Errors are those of ``exact``."""
+    if type(number) is int:
+        return _int_to_json(number)
+    value = exact(number)
     if value.denominator == 1:
-        return value.numerator
-    return "%d/%d" % (value.numerator, value.denominator)
+        return _int_to_json(value.numerator)
+    return "%s/%s" % (digits(value.numerator), digits(value.denominator))
 
 
 def _several(numbers: Sequence[Number], count: int) -> List[Union[int, str]]:
@@ -92,10 +146,13 @@ def matrix_to_json(matrix: MatrixLike) -> List[List[Union[int, str]]]:
 
 def to_text(number: Number) -> str:
     """``to_json`` as JSON text, for requests by the thousand."""
-    if type(number) is int:
-        return str(number)
-    if type(number) is Fraction:
-        return '"%d/%d"' % (number.numerator, number.denominator)
+    try:
+        if type(number) is int:
+            return str(number)
+        if type(number) is Fraction:
+            return '"%d/%d"' % (number.numerator, number.denominator)
+    except ValueError:  # too many digits
+        return '"%s"' % to_json(number)
     if type(number) is float:
         try:
             return '"%d/%d"' % number.as_integer_ratio()
@@ -110,7 +167,10 @@ def vector_to_text(vector: VectorLike) -> str:
         raise ValueError("not 3 numbers: %r" % (vector,))
     x, y, z = vector
     if type(x) is type(y) is type(z) is int:
-        return "%d,%d,%d" % (x, y, z)
+        try:
+            return "%d,%d,%d" % (x, y, z)
+        except ValueError:  # too many digits
+            pass
     return "%s,%s,%s" % (to_text(x), to_text(y), to_text(z))
 
 
@@ -118,14 +178,20 @@ def vector_to_text(vector: VectorLike) -> str:
 
 
 def _integer(text: str) -> int:
-    # Python reads no integers of more than 4300 digits, but decimals of any length.
-    return int(text) if len(text) < 4000 else int(Decimal(text))
+    return int(text) if len(text) < _DIGITS else int(Decimal(text))
 
 
 def fraction(text: str) -> Fraction:
     """Of "p/q"."""
     p, _, q = text.partition("/")
-    return Fraction(_integer(p), _integer(q))
+    kind = Fraction if max(len(p), len(q)) < _LONG else LongFraction
+    return kind(_integer(p), _integer(q))
+
+
+def decimal(text: str) -> Fraction:
+    """Of a text with decimals."""
+    value = Fraction(Decimal(text))
+    return value if len(text) < _LONG else LongFraction(value)
 
 
 def vector(json: Sequence[str]) -> Vector:

@@ -137,7 +137,7 @@ class Oracle:
     protocol); by default the path in the environment variable SCC, or else the program that this package carries, or
     else ``scc`` wherever PATH finds it. ``seconds`` and ``memory`` (MiB) are what a request may take; the service sees
     to that. ``timeout`` (seconds) is how long the client waits for a line of answers before it gives up the service; by
-    default it waits for ever.
+    default it waits for ever. The service belongs to the process that starts it, and ends when the oracle is dropped.
     """
 
     def __init__(
@@ -186,7 +186,7 @@ class Oracle:
             answer = _read(self._service.receive())
         except BaseException:
             # Ctrl-C, say: the answer to this would be taken for that to the next one.
-            self._service.close()
+            self._service.abandon()
             raise
         if not _is_answer(answer, number):
             self._service.close()
@@ -268,11 +268,11 @@ class Oracle:
                 for _ in on_their_way:
                     service.receive()
             except BaseException:
-                service.close()
+                service.abandon()
                 raise
             raise
         except BaseException:
-            service.close()
+            service.abandon()
             raise
 
     def _answers(self, first: int, count: int) -> Tuple[int, List[Any]]:

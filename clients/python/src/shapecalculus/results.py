@@ -10,7 +10,7 @@ from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple
 from . import _display, _plots, frames, numbers
 from .models import Label, State
 from .runs import Result, Run
-from .sweeps import COLUMNS, ESTIMATES, Record
+from .sweeps import COLUMNS, ESTIMATES, Record, column
 
 Json = Mapping[str, Any]
 
@@ -370,12 +370,18 @@ class Traced(Result):
 
 
 class Swept(List[Record], Result):
-    """The table of a sweep: a list of records (``sweep_records``), which tells how it was made."""
+    """The table of a sweep: a list of records (``sweep_records``), which tells how it was made. ``parameters``: their
+    names."""
 
     def __init__(self, records: Sequence[Record], run: Run, parameters: Sequence[str] = ()) -> None:
         super().__init__(records)
         self.run = run
         self.parameters: Tuple[str, ...] = tuple(parameters)
+
+    @property
+    def columns(self) -> Tuple[str, ...]:
+        """The parameters, as columns: in brackets where another column of the table has that name."""
+        return tuple(map(column, self.parameters))
 
     @property
     def rows(self) -> List[Record]:
@@ -386,13 +392,12 @@ class Swept(List[Record], Result):
         """``rows`` as a ``pandas.DataFrame``, with Fractions, or with floats."""
         all_columns = [*COLUMNS, *(name for name in ESTIMATES if any(name in row for row in self.rows))]
         numeric = [name for name in all_columns if name not in ("check", "verdict", "why", "runs")]
-        columns = [*(name for name in self.parameters if name not in all_columns), *all_columns]
-        return frames.frame(self, columns, as_float, [*self.parameters, *numeric])
+        return frames.frame(self, [*self.columns, *all_columns], as_float, [*self.columns, *numeric])
 
     def plot(self, ax: Optional[Any] = None) -> Any:
         """Draws the numbers of checks over the first parameter, with matplotlib, or their verdicts: a curve for each
         check and each value of the other parameters. Into the axes ``ax``, or into new ones; these are returned."""
-        return _plots.sweep(self, self.parameters, ax)
+        return _plots.sweep(self, self.columns, ax)
 
     def _line(self) -> str:
         said = "%s over %s" % (_display.counted(row["verdict"] for row in self), ", ".join(self.parameters))
@@ -402,7 +407,7 @@ class Swept(List[Record], Result):
 
     def _repr_html_(self) -> str:
         columns = ("check", "verdict", "estimate", "low", "high", "runs", "why")
-        return _display.table(self, [*self.parameters, *columns])
+        return _display.table(self, [*self.columns, *columns])
 
 
 # Pages.

@@ -11,7 +11,7 @@ from . import numbers
 
 #: One line of a table: the parameters by their names, and ``check``, ``verdict``, ``low``, ``high``, ``least_low``,
 #: ``least_high``, ``greatest_low``, ``greatest_high`` and ``why``; of estimates ``estimate`` and ``runs`` as well, where
-#: ``low`` and ``high`` are the ends of the interval.
+#: ``low`` and ``high`` are the ends of the interval. A parameter with one of these names has it in brackets: ``(low)``.
 Record = Dict[str, Any]
 
 _NUMBERS = ("low", "high", "least_low", "least_high", "greatest_low", "greatest_high")
@@ -22,6 +22,11 @@ _APPROXIMATE = "the interval is approximate: right if the mean of the runs is no
 ESTIMATES = ("estimate", "runs")
 
 
+def column(parameter: str) -> str:
+    """The column of a parameter: in brackets where another column has its name."""
+    return "(%s)" % parameter if parameter in COLUMNS or parameter in ESTIMATES else parameter
+
+
 def _end(value: Optional[str]) -> Union[None, Fraction, float]:
     if value is None:
         return None
@@ -29,7 +34,7 @@ def _end(value: Optional[str]) -> Union[None, Fraction, float]:
 
 
 def _record(parameters: Mapping[str, str], check: Optional[str], verdict: str, why: str) -> Record:
-    record: Record = {name: numbers.fraction(value) for name, value in parameters.items()}
+    record: Record = {column(name): numbers.fraction(value) for name, value in parameters.items()}
     record.update(check=check, verdict=verdict, **{name: None for name in _NUMBERS}, why=why)
     return record
 

@@ -35,7 +35,7 @@ def _values(parameters: Sequence[str], point: Point) -> Row:
         if isinstance(point, str) or len(point) != len(parameters):
             raise ValueError("not %d numbers: %r" % (len(parameters), point))
         given = list(point)
-    return tuple(Fraction(numbers.to_json(x)) for x in given)
+    return tuple(numbers.exact(x) for x in given)
 
 
 @dataclass(frozen=True)
@@ -169,11 +169,11 @@ class Bound:
     @classmethod
     def from_json(cls, json: Json) -> Bound:
         value = json["value"]
-        return cls(json["limit"], Fraction(value) if isinstance(value, str) else value, json["origin"])
+        return cls(json["limit"], frames.exact(value) if isinstance(value, str) else value, json["origin"])
 
     def __str__(self) -> str:
         unit = " bytes" if self.limit == "memory" else ""
-        return self.limit if self.value is None else "%s %s%s (%s)" % (self.limit, self.value, unit, self.origin)
+        return self.limit if self.value is None else "%s %s%s (%s)" % (self.limit, _display.plain(self.value), unit, self.origin)
 
 
 def _between(json: Json) -> Tuple[Ends, Ends]:
