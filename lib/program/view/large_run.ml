@@ -14,8 +14,10 @@ type t = {
   world : States.world;
   state_after : int -> State.t;
   first : int;
+  initial : State.t;
   homes : moving option array;  (** by leaf; [None] once it is gone *)
   mutable last : int;
+  mutable steps : int;
   mutable now : Rat.t;
   mutable told : Runs.taken list;
   mutable rest : Rat.t;
@@ -72,12 +74,17 @@ let values_now t =
     t.told_values <- Some values;
     values
 
-(* For what comes after it, which has taken so long. *)
-let tell_values t d =
+(* For what comes after it. The state in which the run begins may be one of another run, which has told of it how it
+   goes on as long as it can. *)
+let tell_values t (extent : Scc_ctl.Timeline.extent) =
   match States.plots t.world with
   | [] -> ()
   | _ :: _ ->
-    States.set_values t.world t.last (if Rat.sign d > 0 then values t (Lasts d) else values_now t)
+    States.set_values t.world t.last (fun () ->
+        match extent with
+        | Lasts d when Rat.sign d > 0 -> values t extent
+        | Instant | Lasts _ -> values_now t
+        | Forever -> values t Forever)
 
 (* {1 Steps} *)
 
@@ -96,8 +103,10 @@ let start world ~state_after (initial : State.t) =
       world;
       state_after;
       first;
+      initial;
       homes = Array.make leaves None;
       last = first;
+      steps = 0;
       now = Rat.zero;
       told = [];
       rest = Rat.zero;
@@ -121,7 +130,7 @@ let step t (event : Replay.event) =
     let { Scc_engine.Event_run.gone; come } =
       match changes () with Some c -> c | None -> compared t d (state ())
     in
-    tell_values t d;
+    tell_values t (Lasts d);
     if Rat.sign d > 0 || gone <> [] || come <> [] then t.told_values <- None;
     t.now <- Rat.add t.now d;
     List.iter (leave t) gone;
@@ -130,10 +139,46 @@ let step t (event : Replay.event) =
     let choice = if index < among then Some index else None in
     let label = States.label t.world taken.label in
     t.last <- target;
+    t.steps <- number;
     t.told <- { choice; label; target; rules = taken.rules; tail = false } :: t.told
 
+(* {1 The end} *)
+
+let spins (h : moving option) = match h with Some h -> Turn.spinning h.process | None -> false
+
+(* The last state. Of bodies that spin, all of it is asked for. *)
+let at_the_end t =
+  if not (Array.exists spins t.homes) then whole t else if t.steps = 0 then t.initial else t.state_after t.steps
+
+(* Where nothing happens any more, the run is looked at for a while. *)
+let look_on t =
+  let semantics = States.semantics t.world in
+  let rest () =
+    tell_values t Forever;
+    States.rest t.world t.last
+  in
+  let go_on state (s : Runs.step) =
+    rest ();
+    let d = Transition.duration_of s.label in
+    let gone, come = States.changes (model t) d state s.after in
+    t.told_values <- None;
+    t.now <- Rat.add t.now d;
+    List.iter (leave t) gone;
+    List.iter (enter t t.now) come;
+    let target = States.changed t.world t.last d ~gone ~come (Lazy.from_val s.after) in
+    let label = States.label t.world s.label in
+    t.last <- target;
+    t.told <- { choice = None; label; target; rules = s.rules; tail = true } :: t.told;
+    s.after
+  in
+  let state = at_the_end t in
+  let steps, left = Runs.look_on semantics ~over:t.now ~offset:t.rest state in
+  ignore (List.fold_left go_on state steps);
+  rest ();
+  t.rest <- left
+
 let run t ~name ~finish ~ending =
-  tell_values t t.rest;
+  if String.equal finish "quiescent" then look_on t else tell_values t (Lasts t.rest);
   let steps = List.rev t.told in
   Runs.run name None
     (Some { start = t.first; steps; rest = t.rest; finish; cycle = None; facts = []; argument = None; ending })
