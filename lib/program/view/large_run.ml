@@ -14,10 +14,8 @@ type t = {
   world : States.world;
   state_after : int -> State.t;
   first : int;
-  initial : State.t;
   homes : moving option array;  (** by leaf; [None] once it is gone *)
   mutable last : int;
-  mutable steps : int;
   mutable now : Rat.t;
   mutable told : Runs.taken list;
   mutable rest : Rat.t;
@@ -103,10 +101,8 @@ let start world ~state_after (initial : State.t) =
       world;
       state_after;
       first;
-      initial;
       homes = Array.make leaves None;
       last = first;
-      steps = 0;
       now = Rat.zero;
       told = [];
       rest = Rat.zero;
@@ -139,43 +135,16 @@ let step t (event : Replay.event) =
     let choice = if index < among then Some index else None in
     let label = States.label t.world taken.label in
     t.last <- target;
-    t.steps <- number;
     t.told <- { choice; label; target; rules = taken.rules; tail = false } :: t.told
 
 (* {1 The end} *)
 
-let spins (h : moving option) = match h with Some h -> Turn.spinning h.process | None -> false
-
-(* The last state. Of bodies that spin, all of it is asked for. *)
-let at_the_end t =
-  if not (Array.exists spins t.homes) then whole t else if t.steps = 0 then t.initial else t.state_after t.steps
-
-(* Where nothing happens any more, the run is looked at for a while. *)
+(* Where nothing happens any more, the run is looked at for a while. No body turns in such a network
+   ([Scc_engine.Run.eventwise]), so that nothing is told of that time but how long it is. *)
 let look_on t =
-  let semantics = States.semantics t.world in
-  let rest () =
-    tell_values t Forever;
-    States.rest t.world t.last
-  in
-  let go_on state (s : Runs.step) =
-    rest ();
-    let d = Transition.duration_of s.label in
-    let gone, come = States.changes (model t) d state s.after in
-    t.told_values <- None;
-    t.now <- Rat.add t.now d;
-    List.iter (leave t) gone;
-    List.iter (enter t t.now) come;
-    let target = States.changed t.world t.last d ~gone ~come (Lazy.from_val s.after) in
-    let label = States.label t.world s.label in
-    t.last <- target;
-    t.told <- { choice = None; label; target; rules = s.rules; tail = true } :: t.told;
-    s.after
-  in
-  let state = at_the_end t in
-  let steps, left = Runs.look_on semantics ~over:t.now ~offset:t.rest state in
-  ignore (List.fold_left go_on state steps);
-  rest ();
-  t.rest <- left
+  tell_values t Forever;
+  States.rest t.world t.last;
+  t.rest <- Rat.max t.rest (Runs.a_while (States.semantics t.world) ~over:t.now (whole t))
 
 let run t ~name ~finish ~ending =
   if String.equal finish "quiescent" then look_on t else tell_values t (Lasts t.rest);

@@ -181,13 +181,11 @@ let a_while semantics ~over state =
     let long = Rat.max (Rat.mul Rat.half over) (Rat.min (across state) most) in
     Rat.mul step (Rat.make (Z.add Z.one (Rat.floor (Rat.div long step))) Z.one)
 
-let look_on semantics ~over ~offset state =
-  turns semantics state (Rat.max offset (a_while semantics ~over state)) most_turns
-
 let finished states world ~most (n, state) ~rests ~over offset =
   let semantics = States.semantics world in
   if rests && Network.quiescent semantics state then begin
-    let steps, left = look_on semantics ~over ~offset state in
+    let wanted = Rat.max offset (a_while semantics ~over state) in
+    let steps, left = turns semantics state wanted most_turns in
     let n, state, told = follow states world ~most ~tail:true (n, state) steps in
     ignore (Graph.expand states world ~most (n, state));
     (told, left)

@@ -84,7 +84,6 @@ val of_steps :
 (** A run that was made by choices, and ends [offset] after its last transition. Its states get their
     transitions, as by {!Graph.expand} with [most]. *)
 
-val look_on : Semantics.t -> over:Rat.t -> offset:Rat.t -> State.t -> step list * Rat.t
-(** [look_on semantics ~over ~offset state] tells how long a run is shown after [state], in which nothing happens any
-    more: the passings of time from turn to turn, and the time after the last of them. The run has taken the time
-    [over], and it is asked to go on for [offset] at least. *)
+val a_while : Semantics.t -> over:Rat.t -> State.t -> Rat.t
+(** [a_while semantics ~over state] is how long a run is shown after [state], in which nothing happens any more. The run
+    has taken the time [over]. *)
