@@ -72,12 +72,17 @@ let values_now t =
     t.told_values <- Some values;
     values
 
-(* For what comes after it, which has taken so long. *)
-let tell_values t d =
+(* For what comes after it. The state in which the run begins may be one of another run, which has told of it how it
+   goes on as long as it can. *)
+let tell_values t (extent : Scc_ctl.Timeline.extent) =
   match States.plots t.world with
   | [] -> ()
   | _ :: _ ->
-    States.set_values t.world t.last (if Rat.sign d > 0 then values t (Lasts d) else values_now t)
+    States.set_values t.world t.last (fun () ->
+        match extent with
+        | Lasts d when Rat.sign d > 0 -> values t extent
+        | Instant | Lasts _ -> values_now t
+        | Forever -> values t Forever)
 
 (* {1 Steps} *)
 
@@ -121,7 +126,7 @@ let step t (event : Replay.event) =
     let { Scc_engine.Event_run.gone; come } =
       match changes () with Some c -> c | None -> compared t d (state ())
     in
-    tell_values t d;
+    tell_values t (Lasts d);
     if Rat.sign d > 0 || gone <> [] || come <> [] then t.told_values <- None;
     t.now <- Rat.add t.now d;
     List.iter (leave t) gone;
@@ -132,8 +137,17 @@ let step t (event : Replay.event) =
     t.last <- target;
     t.told <- { choice; label; target; rules = taken.rules; tail = false } :: t.told
 
+(* {1 The end} *)
+
+(* Where nothing happens any more, the run is looked at for a while. No body turns in such a network
+   ([Scc_engine.Run.eventwise]), so that nothing is told of that time but how long it is. *)
+let look_on t =
+  tell_values t Forever;
+  States.rest t.world t.last;
+  t.rest <- Rat.max t.rest (Runs.a_while (States.semantics t.world) ~over:t.now (whole t))
+
 let run t ~name ~finish ~ending =
-  tell_values t t.rest;
+  if String.equal finish "quiescent" then look_on t else tell_values t (Lasts t.rest);
   let steps = List.rev t.told in
   Runs.run name None
     (Some { start = t.first; steps; rest = t.rest; finish; cycle = None; facts = []; argument = None; ending })

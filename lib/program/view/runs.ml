@@ -184,10 +184,10 @@ let a_while semantics ~over state =
 let finished states world ~most (n, state) ~rests ~over offset =
   let semantics = States.semantics world in
   if rests && Network.quiescent semantics state then begin
-    ignore (Graph.expand states world ~most (n, state));
     let wanted = Rat.max offset (a_while semantics ~over state) in
     let steps, left = turns semantics state wanted most_turns in
-    let _, _, told = follow states world ~most ~tail:true (n, state) steps in
+    let n, state, told = follow states world ~most ~tail:true (n, state) steps in
+    ignore (Graph.expand states world ~most (n, state));
     (told, left)
   end
   else begin

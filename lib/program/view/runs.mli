@@ -83,3 +83,7 @@ val of_steps :
   t
 (** A run that was made by choices, and ends [offset] after its last transition. Its states get their
     transitions, as by {!Graph.expand} with [most]. *)
+
+val a_while : Semantics.t -> over:Rat.t -> State.t -> Rat.t
+(** [a_while semantics ~over state] is how long a run is shown after [state], in which nothing happens any more. The run
+    has taken the time [over]. *)

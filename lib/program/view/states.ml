@@ -122,7 +122,10 @@ let changed w before d ~gone ~come state =
   Growable.push w.entries (entry w state (Some before) d ~gone ~come:(told w come));
   n
 
-let set_values w n values = (Growable.get w.entries n).values <- values
+let set_values w n values =
+  let e = Growable.get w.entries n in
+  if none e.values then e.values <- values ()
+
 let plots w = w.plots
 
 let set_extent w n state extent =
@@ -138,6 +141,11 @@ let home t n =
 let has_next t n = Option.is_some (Growable.get t n).next
 let set_stuck t n why = (Growable.get t n).stuck <- Some why
 let set_rests t n = (Growable.get t n).rests <- true
+
+let rest w n =
+  set_next w.entries n [];
+  set_rests w.entries n
+
 let count = Growable.length
 
 let next t n = (Growable.get t n).next

@@ -51,8 +51,8 @@ val set_extent : world -> int -> State.t -> Scc_ctl.Timeline.extent -> unit
 (** [set_extent w n state extent] adds the numbers to be plotted from state [n] on, while nothing happens,
     unless it has some. *)
 
-val set_values : world -> int -> Scc_runs.Curve_json.t list -> unit
-(** Adds these numbers, one for each of {!plots}. *)
+val set_values : world -> int -> (unit -> Scc_runs.Curve_json.t list) -> unit
+(** Adds these numbers, one for each of {!plots}, unless the state has some. *)
 
 val plots : world -> Property.num list
 (** The numbers that are plotted. *)
@@ -87,6 +87,9 @@ val set_stuck : t -> int -> string -> unit
 
 val set_rests : t -> int -> unit
 (** Marks a state after which nothing happens and time passes for ever. *)
+
+val rest : world -> int -> unit
+(** [rest w n] is {!set_rests} of a state that has no transitions. *)
 
 val count : t -> int
 (** The number of states. *)
