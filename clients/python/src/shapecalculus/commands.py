@@ -88,7 +88,8 @@ def check(
     ``invariant``: Like --prove, and writes the invariant on which a verdict rests to FILE: kinds of states,
       each with inequalities between its numbers. - is standard output.
     ``jobs``: The number of processes that explore. By default as many as there are cores, once that pays; with
-      1 only this process. The report is the same for any number, to the byte.
+      1 only this process. The report is the same for any number, to the byte, unless --seconds, --memory or an
+      interruption ends the work: where that is depends on the time, and on the memory of all processes.
     ``no_reduce``: Switches reductions off: symmetry, translation, order, jump, slice, drift, time, draws,
       isometry, or all; separated by commas. No reduction changes a verdict; see REDUCTIONS.
     ``parametric``: Answers with functions of the parameter NAME, which the model declares with a range (param k
