@@ -77,9 +77,11 @@ const Frame = (() => {
     const tall = Camera.slope * Math.max(0.3, 1 - (2 * room + below) / Math.max(1, height));
     const wide = (Camera.slope * Math.max(1, width - 2 * room - left)) / Math.max(1, height);
     const { low, high } = range(seen), middle = low.map((l, i) => (l + high[i]) / 2);
-    let distance = 1e-6;
+    // A point alone has no size, and any distance shows it.
+    const least = size({ low, high }) > 0 ? 0 : 1e-6;
+    let distance = least;
     for (let round = 0; round < 4; round++) {
-      distance = 1e-6;
+      distance = least;
       for (const p of seen) {
         const depth = orbit.parallel ? 0 : p[2] - middle[2];
         distance = Math.max(distance, Math.abs(p[0] - middle[0]) / wide + depth, Math.abs(p[1] - middle[1]) / tall + depth);

@@ -16,6 +16,8 @@ const Links = (() => {
   let following = false;
   /** An address is at most so long, a formula in it so: what has no room in it is left out. */
   const longest = 16000, formula = 4000;
+  /** What an address can say, besides the plots. */
+  const known = new Set(["run", "step", "time", "way", "select", "with", "camera", "size", "switched", "numbers", "against", "graph", "find"]);
   /**
    * What an address that is read says wrongly.
    * @type {string[]}
@@ -83,7 +85,9 @@ const Links = (() => {
     if (other && !other.run.way) parts.push(`with=${other.run.index}`);
     if (scene) {
       parts.push(`camera=${encodeURIComponent(JSON.stringify(scene.camera()))}`);
-      parts.push(`size=${scene.box.clientWidth}x${scene.box.clientHeight}`);
+      // A page that is hidden has no size.
+      const { clientWidth: width, clientHeight: height } = scene.box;
+      if (width > 0 && height > 0) parts.push(`size=${width}x${height}`);
     }
     const { numbers, against } = Plots.save(), switched = Tools.switched(), graph = Graph.save(), sought = Graph.sought();
     const more = [
@@ -143,6 +147,9 @@ const Links = (() => {
     }
     const chosen = said.get("select");
     if (chosen !== undefined) pick(chosen);
+    const size = said.get("size");
+    if (size !== undefined && !/^0*[1-9][0-9]{0,4}x0*[1-9][0-9]{0,4}$/.test(size)) notice("the size in the address is none of a picture");
+    if ([...said.keys()].some((name) => !known.has(name))) notice("a part of the address is not known here");
     const camera = said.get("camera");
     if (camera !== undefined && scene) {
       try {
@@ -211,8 +218,12 @@ const Links = (() => {
     const exact = time === undefined ? null : Exactly.read(time);
     if (time !== undefined && exact === null) notice("the time of the address is not a number such as 5/2");
     player.pause();
-    if (step !== undefined && /^[0-9]{1,9}$/.test(step)) player.go(Number(step), exact || undefined);
+    const number = step !== undefined && /^[0-9]{1,9}$/.test(step) ? Number(step) : null;
+    if (step !== undefined && (number === null || number > player.course.legs.length)) notice("the run has no such step");
+    if (number !== null) player.go(number, exact || undefined);
     else if (exact !== null) player.seek(exact);
+    // A run that ends in a state at which it is looked at no longer has that instant alone.
+    if (exact !== null && Rational.cmp(player.time, exact) !== 0) notice("the time of the address is not in that run, or not at that step");
   }
 
   /** @param {string} chosen */
@@ -224,12 +235,15 @@ const Links = (() => {
       notice("the body of the address is not in this file");
       return;
     }
-    const whole = part === undefined || !of.parts[Number(part)] || !["face", "edge", "vertex"].includes(kind);
+    const solid = part !== undefined && /^[0-9]{1,9}$/.test(part) && of.parts[Number(part)] && player.data.solids[of.parts[Number(part)].solid];
+    const features = solid && { face: solid.faces, edge: solid.edges, vertex: solid.corners }[kind];
+    const whole = !features || !/^[0-9]{1,9}$/.test(index) || Number(index) >= features.length;
+    if (whole && part !== undefined) notice("what is selected of a body in the address is not in this file");
     Tabs.show("details");
     Details.select(
       whole
         ? { leaf: number }
-        : { leaf: number, part: Number(part), kind: /** @type {SiteKind} */ (kind), index: Number(index) || 0 },
+        : { leaf: number, part: Number(part), kind: /** @type {SiteKind} */ (kind), index: Number(index) },
     );
   }
 

@@ -26,6 +26,8 @@ class Orbit {
     this.at = [Rational.zero, Rational.zero, Rational.zero];
     this.target = Motion.target({ n: [0n, 0n, 0n], d: 1n });
     this.distance = 20;
+    /** From where all is seen: how near and how far one may go depends on it. */
+    this.usual = 20;
     /** Around the axis that points up, from the front to the right; and above the floor. In radians. */
     this.turn = 0.5;
     this.height = 0.42;
@@ -182,7 +184,7 @@ class Orbit {
    */
   zoom(factor, x = 0, y = 0) {
     this.stop();
-    const distance = Math.max(1e-6, Math.min(1e12, this.distance * factor));
+    const distance = Math.max(5e-8 * this.usual, Math.min(5e10 * this.usual, this.distance * factor));
     const part = 1 - distance / this.distance;
     if (x !== 0 || y !== 0) this.shift(-x * part, -y * part);
     this.distance = distance;

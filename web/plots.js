@@ -31,7 +31,7 @@ const Plots = (() => {
     player = of;
     box = Dom.get("plots");
     Formulas.start(player, draw, (text, why, start, stop) => {
-      chosen = chosen.filter(Formulas.there);
+      refused();
       others();
       Wanted.refuse(text, why, start, stop);
     });
@@ -103,9 +103,31 @@ const Plots = (() => {
    * @param {number[]} plots
    */
   function keep(plots) {
-    const out = plots.slice(0, -most).map((plot) => Dom.clip(Formulas.text(plot), 60));
+    out = plots.slice(0, -most);
     chosen = plots.slice(-most);
-    Wanted.say(out.length === 0 ? "" : `At most ${most} plots are shown. Not shown any more: ${out.join(", ")}. See Choose.`);
+    say();
+  }
+
+  /**
+   * The plots that gave way to those that were chosen last.
+   * @type {number[]}
+   */
+  let out = [];
+
+  /** Names the plots that were left out. */
+  function say() {
+    const names = out.map((plot) => Dom.clip(Formulas.text(plot), 60));
+    Wanted.say(names.length === 0 ? "" : `At most ${most} plots are shown. Not shown any more: ${names.join(", ")}. See Choose.`);
+  }
+
+  /** A formula that is refused, perhaps after a while, gives its place back to the plot that it has taken it from. */
+  function refused() {
+    const left = chosen.filter(Formulas.there), free = chosen.length - left.length;
+    if (free === 0) return;
+    out = out.filter(Formulas.there);
+    chosen = out.slice(-free).concat(left);
+    out = out.slice(0, -free);
+    say();
   }
 
   /** The names of bodies that move, for examples. */
@@ -113,15 +135,17 @@ const Plots = (() => {
 
   /** Formulas that can be written. */
   function hints() {
-    const [a = "a", b] = moving();
-    return `Any number or formula, such as ${[`x(${a})`, ...(b ? [`distance2(${a}, ${b})`, `bound(${a}, ${b})`] : [`speed2(${a})`]), "bonds()"].join(", ")}`;
+    const [a, b] = moving();
+    const of = b ? [`x(${a})`, `distance2(${a}, ${b})`, `bound(${a}, ${b})`] : a ? [`x(${a})`, `speed2(${a})`] : ["time"];
+    return `Any number or formula, such as ${[...of, "bonds()"].join(", ")}`;
   }
 
   /** What is said where there is no plot. */
   function nothing() {
     const [a] = moving();
     const write = `Write a number above${a ? `, such as x(${a})` : ""}.`;
-    return player.data.plots.length === 0 ? `The checks of the model name no numbers. ${write}` : `No plot is chosen. Choose one, or write it: ${write.toLowerCase().replace("write a number above", "any number")}`;
+    return player.data.plots.length === 0 ? `The checks of the model name no numbers. ${write}`
+      : `No plot is chosen. Choose one, or write it: any number${a ? `, such as x(${a})` : ""}.`;
   }
 
   /** Two numbers are shown against each other. */
@@ -200,7 +224,10 @@ const Plots = (() => {
           change: () => {
             chosen = chosen.filter((other) => other !== index);
             if (tick.checked) keep(chosen.concat(index));
-            else Wanted.say("");
+            else {
+              out = [];
+              say();
+            }
             chosen.sort((a, b) => a - b);
             if (chosen.length === most) list();
             draw();

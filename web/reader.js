@@ -33,7 +33,10 @@ const Reader = (() => {
     const found = [];
     while (all.lastIndex < text.length) {
       const from = all.lastIndex, match = all.exec(text);
-      if (!match) throw new Wrong(`“${text[from]}” is not a mark of formulas`, [from, from + 1]);
+      if (!match) {
+        const sign = String.fromCodePoint(/** @type {number} */ (text.codePointAt(from)));
+        throw new Wrong(`“${sign}” is not a mark of formulas`, [from, from + sign.length]);
+      }
       const at = /** @type {[number, number]} */ ([from, all.lastIndex]);
       if (match[1]) found.push({ text: match[1], kind: "number", at });
       else if (match[2]) found.push({ text: match[2], kind: "name", at });

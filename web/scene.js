@@ -341,6 +341,7 @@ class Scene {
     this.shape = `${width} ${height}`;
     const { at, distance } = Frame.fit(seen.points, this.orbit, width, height, this.marks.taken(width, height));
     this.#level(of, distance);
+    this.orbit.usual = distance;
     this.marks.fresh = true;
     if (far) this.orbit.stand(at.map(based), distance);
     else this.orbit.fly(at, distance, this.still.matches || !this.fitted);

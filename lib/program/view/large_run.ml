@@ -53,8 +53,8 @@ let value t all extent num =
   let value state = Curves.value (States.semantics t.world) state extent num in
   match scope t num with
   | Unknown -> none "it takes all bodies of a large network, and is not computed: choose a number of some"
-  | Of leaves when List.exists (fun leaf -> Option.is_none t.homes.(leaf)) leaves -> none "a body is gone"
   | Of leaves ->
+    (* Of a body that is gone, the number says so itself. *)
     let add kept p = if List.exists (fun q -> first q = first p) kept then kept else p :: kept in
     let processes = List.filter_map (fun leaf -> Option.map (present t) t.homes.(leaf)) leaves in
     value (state_of (List.fold_left add [] processes))

@@ -228,7 +228,8 @@ let of_witness states world ~most ~name check (w : Witness.t) =
     follow_to states world ~most ~initial:w.initial (List.map step w.steps) ~offset ~rests
       ~finish:(Witness_json.finish w)
   in
-  let ending = Witness.ending model w in
+  (* The reasons are a member of their own. *)
+  let ending = Witness.ending model { w with argument = None } in
   { (run name check (Some { course with cycle; facts = w.facts; argument = w.argument; ending })) with values }
 
 let of_steps states world ~most ~name ~initial steps ~offset ~finish ~ending =
