@@ -93,7 +93,8 @@ def partial(b, scc):
         path = scc.file('.html')
         with open(path, 'w', encoding='utf-8') as file:
             file.write(text)
-        b.open(path)
+        b.shown = path
+        b.driver.get('file://' + path)
         notice = b.js('const box = document.querySelector(".notice:not([hidden])"); return box ? box.textContent : ""')
         check(f'{what}: it is said', re.search(says, notice), notice)
 
