@@ -147,13 +147,54 @@ const Main = (() => {
     return null;
   }
 
+  /**
+   * Whether all numbers of rows in the data are those of rows: a file may have been changed.
+   * @param {PageData} data
+   */
+  function hold(data) {
+    for (const name of /** @type {const} */ (["states", "runs", "leaves", "labels", "processes", "behaviours", "solids", "plots"]))
+      if (!Array.isArray(data[name])) throw new Error(`the file holds no ${name}`);
+    if (data.states.length === 0) throw new Error("the file holds no states");
+    if (data.runs.length === 0) throw new Error("the file holds no runs");
+    /** @param {string} what @param {any} n @param {{ length: number }} rows @param {string} row */
+    const one = (what, n, { length }, row) => {
+      if (!Number.isInteger(n) || n < 0 || n >= length) throw new Error(`the file has no ${row} ${Dom.clip(String(n), 40)}, which ${what} names`);
+    };
+    data.runs.forEach((run, i) => {
+      if (run.start === null) return;
+      one(`run ${i}`, run.start, data.states, "state");
+      for (const step of run.steps || []) {
+        one(`a step of run ${i}`, step.to, data.states, "state");
+        one(`a step of run ${i}`, step.label, data.labels, "label");
+      }
+    });
+    data.states.forEach((state, i) => {
+      // One is told by an earlier one.
+      if (state.of !== null) one(`state ${i}`, state.of, { length: i }, "earlier state");
+      for (const process of state.come) one(`state ${i}`, process, data.processes, "process");
+      for (const next of state.next || []) {
+        one(`state ${i}`, next.label, data.labels, "label");
+        if (next.to !== null) one(`state ${i}`, next.to, data.states, "state");
+      }
+    });
+    data.processes.forEach((process, i) => {
+      for (const place of process.leaves) {
+        one(`process ${i}`, place.leaf, data.leaves, "body");
+        one(`process ${i}`, place.behaviour, data.behaviours, "behaviour");
+      }
+    });
+    data.leaves.forEach((leaf, i) => {
+      for (const part of leaf.parts) one(`body ${i}`, part.solid, data.solids, "solid");
+    });
+  }
+
   function start() {
     const text = Dom.get("data").textContent || "";
     /** @type {PageData} */
     const data = JSON.parse(text);
     if (data.format !== "scc-view" || data.version !== 1)
       throw new Error("the data is of another version than the page");
-    if (data.states.length === 0) throw new Error("the file holds no states");
+    hold(data);
     head(data);
     Channels.start(data);
     const player = new Player(data);

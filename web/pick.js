@@ -30,11 +30,12 @@ const Pick = (() => {
    */
   function enter(part, from, way) {
     let first = -Infinity, last = Infinity, face = -1, other = -1;
+    const flat = 1e-14 * Math.hypot(...way), beside = 1e-9 * part.radius;
     for (const [i, f] of part.faces.entries()) {
       const q = part.points[f.corners[0]];
       const height = Shapes.dot(f.normal, Shapes.sub(from, q)), fall = Shapes.dot(f.normal, way);
-      if (Math.abs(fall) < 1e-14) {
-        if (height > 1e-9) return null;
+      if (Math.abs(fall) < flat) {
+        if (height > beside) return null;
         continue;
       }
       const t = -height / fall;

@@ -203,13 +203,14 @@ def main():
     if lacking:
         print(lacking)
         sys.exit(3)
+    import frailties
     import pages
     import scenes
     import walk
     told(models, scc, int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     b = browser.Browser()
     try:
-        for part in pages.PARTS + scenes.PARTS + walk.PARTS:
+        for part in pages.PARTS + scenes.PARTS + frailties.PARTS + walk.PARTS:
             told(part, b, scc)
     finally:
         b.quit()

@@ -28,6 +28,7 @@ library() {
   sed -n "s|.*\\.$1\$|$editor/&|p" "$web/desk-library"
 }
 
+text whole "$web/whole.js"
 text page "$web/page.html"
 text style "$web/base.css" "$web/page.css"
 echo 'let scripts ='

@@ -72,8 +72,8 @@ let values_now t =
     t.told_values <- Some values;
     values
 
-(* For what comes after it. The state in which the run begins may be one of another run, which has told of it how it
-   goes on as long as it can. *)
+(* For what comes after it. The state in which the run begins may be one of another run, which has told of it how
+   it goes on as long as it can. *)
 let tell_values t (extent : Scc_ctl.Timeline.extent) =
   match States.plots t.world with
   | [] -> ()

@@ -20,11 +20,15 @@ let policy ~scripts ~styles ~more =
 
 let element name attributes text = Printf.sprintf "<%s%s>%s</%s>\n" name attributes text name
 
+(* What stands before all else of a page from disk, and looks whether it is whole. *)
+let first = ("whole.js", Assets.whole)
+
 (* A template says where each of these goes, by a line of its own. *)
 let fill template ~title ~policy ~meta ~styles ~scripts data put =
   let line = function
     | "@policy@" ->
       put (Printf.sprintf "<meta http-equiv=\"Content-Security-Policy\" content=\"%s\">\n%s" policy meta)
+    | "@first@" -> put (element "script" "" (snd first))
     | "@title@" -> put (element "title" "" (for_text title))
     | "@style@" -> List.iter (fun text -> put (element "style" "" text)) styles
     | "@data@" ->
@@ -43,12 +47,12 @@ let write ?(served = false) ~title data put =
   let styles = [ Assets.style ] and scripts = Assets.scripts in
   (* The state graph is laid out in a worker, of which the text is that of a script of the page. *)
   let more = "; worker-src blob:" ^ if served then own_server else "" in
-  let policy = policy ~scripts ~styles ~more in
+  let policy = policy ~scripts:(first :: scripts) ~styles ~more in
   fill Assets.page ~title ~policy ~meta:(if served then live else "") ~styles ~scripts data put
 
 let solid ~title data put =
   let styles = [ Assets.solid_style ] and scripts = Assets.solid_scripts in
-  let policy = policy ~scripts ~styles ~more:"" in
+  let policy = policy ~scripts:(first :: scripts) ~styles ~more:"" in
   fill Assets.solid ~title ~policy ~meta:"" ~styles ~scripts data put
 
 let desk ~title data put =

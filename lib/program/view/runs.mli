@@ -85,5 +85,5 @@ val of_steps :
     transitions, as by {!Graph.expand} with [most]. *)
 
 val a_while : Semantics.t -> over:Rat.t -> State.t -> Rat.t
-(** [a_while semantics ~over state] is how long a run is shown after [state], in which nothing happens any more. The run
-    has taken the time [over]. *)
+(** [a_while semantics ~over state] is how long a run is shown after [state], in which nothing happens any
+    more. The run has taken the time [over]. *)
