@@ -58,9 +58,6 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
   val collect : t -> unit
   (** [collect c] notes which requests are not under way any more. *)
 
-  val told : t -> unit
-  (** [told c] adds up the memory of all workers. *)
-
   (** {1 Waiting} *)
 
   val wait_while : ?seconds:float -> t -> (unit -> bool) -> unit
