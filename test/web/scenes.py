@@ -297,14 +297,16 @@ def address(kind, content):
     return f'data:{kind};base64,{base64.b64encode(content).decode()}'
 
 
-def drawn(b, scc, model, schedule=None):
-    """What the command on the page draws, as SVG."""
+def drawn(b, scc, model):
+    """What the command on the page draws, as SVG, with the schedule that the page saves for it."""
     command = shlex.split(b.js('return scc.command({size: "own", pixels: arguments[0]})', b.js('return scene.clientWidth')))
     path = scc.file('.svg')
     command[-1] = path
     command[2] = model
     if '--schedule' in command:
-        command[command.index('--schedule') + 1] = schedule
+        schedule = command[command.index('--schedule') + 1] = scc.file('.json')
+        with open(schedule, 'w', encoding='utf-8') as f:
+            f.write(b.js('return JSON.stringify(scc.schedule())'))
     ended = scc.run(*command[1:])
     if ended.returncode != 0:
         raise RuntimeError(f'{command}: {ended.stderr}')
@@ -351,10 +353,7 @@ def by_schedule(b, scc):
     b.js('scc.go(2)')
     run = b.js('return scc.schedule()')
     same('a state within an instant', len(run['choices']), 2)
-    path = scc.file('.json')
-    with open(path, 'w', encoding='utf-8') as f:
-        f.write(b.js('return JSON.stringify(scc.schedule())'))
-    svg = drawn(b, scc, HEXOKINASE, path).decode()
+    svg = drawn(b, scc, HEXOKINASE).decode()
     check('its bond is drawn', '&lt;atp, {enzyme.floorA.top, atp.bottom}&gt;' in svg)
     last = scc.file('.svg')
     scc.run('view', HEXOKINASE, '--check', 'surely', '--svg', '2', '-o', last)
