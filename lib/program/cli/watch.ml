@@ -34,6 +34,7 @@ type t = {
   mutable concluded : float;  (** the same of what concludes, as a {!position} *)
   mutable abandoned : bool;  (** it was tried *)
   mutable reading : bool;  (** no attempt has been made *)
+  mutable attempts : bool;  (** some has been made: between two of them little memory is taken *)
   before : float;  (** bytes of memory at the start *)
   mutable finished : float option;  (** the seconds that the rest has after a signal, once the work has stopped *)
 }
@@ -129,7 +130,7 @@ let look t =
       | None ->
         limit_reading t ~taken;
         if passed > patience then abandon t ~passed;
-        if Footprint.taken () > last_share && not (Critical.active ()) then raise Out_of_memory)
+        if Footprint.taken () > last_share && not (t.attempts || Critical.active ()) then raise Out_of_memory)
 
 let timer seconds = ignore (Unix.setitimer ITIMER_REAL { it_interval = seconds; it_value = seconds })
 
@@ -150,6 +151,7 @@ let start ?(clock = Unix.gettimeofday) ?(signals = true) ?seconds ?memory () =
       concluded = infinity;
       abandoned = false;
       reading = signals;
+      attempts = false;
       before = resident ();
       finished = None;
     }
@@ -240,6 +242,7 @@ let compacted t stage =
 
 let attempted t stage f =
   t.reading <- false;
+  t.attempts <- true;
   (match (stage : Limits.stage) with Concluding | Reporting -> compacted t stage | Exploring | Proving -> ());
   match over t stage with
   | Some stop -> Error stop
