@@ -270,8 +270,8 @@ let attempted t stage f =
             | _ -> ());
         left (Error stop)
       | exception Out_of_memory when Option.is_none outer ->
-        (* Nothing of what may be left half done is used any more. Before it is collected, there is too little memory
-           for anything, and a look would say so. *)
+        (* Nothing of what may be left half done is used any more. Before it is collected, there is too little
+           memory for anything, and a look would say so. *)
         Critical.run (fun () ->
             leave ();
             Scc_system.Garbage.compact ());

@@ -16,14 +16,6 @@ type result = {
   numbers : unit -> (string * int) list;
 }
 
-(* A probability that is not known well enough is the reason where there is no other. *)
-let formula_doubts r temporal i =
-  let cut_short = Unsettled.cut_short r temporal in
-  match Unsettled.evaluated r (fun () -> (Temporal.doubts temporal i, Measuring.intervals temporal i)) with
-  | Error why -> why
-  | Ok (doubts, intervals) ->
-    (match Unsettled.doubts r doubts with [] -> intervals | reasons -> reasons) @ cut_short
-
 (** {2 Verdicts} *)
 
 let trace (r : Unsettled.t) p trace =
@@ -57,7 +49,7 @@ let now (r : Unsettled.t) p =
 let evaluated (r : Unsettled.t) temporal i : Verdict.t =
   match Unsettled.evaluated r (fun () -> Temporal.truth temporal i) with
   | Error why -> Undecided why
-  | Ok None -> Undecided (formula_doubts r temporal i)
+  | Ok None -> Undecided (Measuring.formula_doubts r temporal i)
   | Ok (Some truth) -> (
       match (truth, Unsettled.explained r temporal i) with
       | true, witness -> Holds { bounds = []; witness }

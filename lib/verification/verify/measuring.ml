@@ -5,13 +5,24 @@ open Scc_chance
 let told what m = Verdict.Undefined (Printf.sprintf "the %s is %s" what (Likelihoods.measured m))
 let intervals temporal i = List.map (told "probability") (Temporal.probabilities temporal i)
 
+let unclear = Verdict.Undefined "a probability within the formula is not known well enough to be compared"
+
+(* A probability that is not known well enough is the reason where there is no other. *)
+let formula_doubts r temporal i =
+  let cut_short = Unsettled.cut_short r temporal in
+  match Unsettled.evaluated r (fun () -> (Temporal.doubts temporal i, intervals temporal i)) with
+  | Error why -> why
+  | Ok (doubts, intervals) ->
+    let known = match Unsettled.doubts r temporal doubts with [] -> intervals | reasons -> reasons in
+    (match known @ cut_short with [] -> [ unclear ] | reasons -> reasons)
+
 (* Without the reasons for a claim that nobody has made. *)
 let witness (r : Unsettled.t) temporal i =
   Unsettled.explained r temporal i |> Option.map (fun w -> { w with Witness.argument = None })
 
-let reasons_of (r : Unsettled.t) doubts =
+let reasons_of (r : Unsettled.t) temporal doubts =
   match Unsettled.evaluated r doubts with
-  | Ok doubts -> Unsettled.doubts r doubts
+  | Ok doubts -> Unsettled.doubts r temporal doubts
   | Error why -> why
 
 (* Why these values are not better known. *)
@@ -19,7 +30,7 @@ let reasons (r : Unsettled.t) temporal values doubts =
   if List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then []
   else
     let cut_short = Unsettled.cut_short r temporal in
-    reasons_of r doubts @ cut_short
+    reasons_of r temporal doubts @ cut_short
 
 let of_sides temporal sides find = Likelihoods.of_sides ~is_chain:(fun () -> Temporal.is_chain temporal) sides find
 
@@ -67,7 +78,9 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
     let states = List.sort_uniq Int.compare (List.concat_map unexplored found) in
     let unknown =
       List.map (fun text -> Verdict.Undefined text) texts
-      @ if states = [] then [] else Unsettled.unexplored r (List.to_seq states)
+      @
+      if states = [] then []
+      else Unsettled.unexplored ~cut_short:(Temporal.is_cut_short temporal) r (List.to_seq states)
     in
     let of_values values = reasons r temporal values (fun () -> Temporal.doubts_of_mean temporal i) in
     match (unknown, List.filter_map known found, test) with
@@ -117,7 +130,7 @@ let or_undecided doubts = function
 let probability_function r temporal s i sides parameter =
   functions r temporal parameter sides (Temporal.probability_function s i)
   |> Result.map (fun values -> depends parameter values None)
-  |> or_undecided (fun () -> reasons_of r (fun () -> Temporal.possible_doubts temporal i))
+  |> or_undecided (fun () -> reasons_of r temporal (fun () -> Temporal.possible_doubts temporal i))
 
 let mean_function r temporal s i sides mean (test : Answer.bound option) (parameter : Scc_calculus.Ranges.range) =
   let holds = function
@@ -128,7 +141,7 @@ let mean_function r temporal s i sides mean (test : Answer.bound option) (parame
   in
   functions r temporal parameter sides (fun side -> Temporal.mean_function s i side mean)
   |> Result.map (fun values -> depends parameter values (holds values))
-  |> or_undecided (fun () -> reasons_of r (fun () -> Temporal.doubts_of_mean temporal i))
+  |> or_undecided (fun () -> reasons_of r temporal (fun () -> Temporal.doubts_of_mean temporal i))
 
 let claim_function r temporal s i (formula : Scc_property.Property.temporal) parameter =
   let side =
@@ -141,4 +154,4 @@ let claim_function r temporal s i (formula : Scc_property.Property.temporal) par
     let* values = functions r temporal parameter side (Temporal.probability_function s i) in
     Ok (depends parameter values (Some set))
   in
-  or_undecided (fun () -> reasons_of r (fun () -> Temporal.possible_doubts temporal i)) found
+  or_undecided (fun () -> reasons_of r temporal (fun () -> Temporal.possible_doubts temporal i)) found

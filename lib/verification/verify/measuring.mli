@@ -13,8 +13,10 @@ val mean :
 (** The verdict for the mean of a quantity until the formula with this index, that of the check, comes true.
     Compared with a bound, it holds or not. *)
 
-val intervals : Temporal.t -> int -> Verdict.reason list
-(** The known intervals of the probabilities on which an undecided formula directly depends, as reasons. *)
+val formula_doubts : Unsettled.t -> Temporal.t -> int -> Verdict.reason list
+(** [formula_doubts r temporal i] is the reasons why formula [i] is undecided, at least one. They are what was not
+    explored or has no value, or else the known intervals of the probabilities on which it directly depends. That the
+    time was over is one more. *)
 
 (** {1 As functions of a parameter}
 

@@ -99,9 +99,14 @@ let counted r states =
   in
   Seq.fold_left nearer (0, None) states
 
-(* Why no answer was found in some states. They may have been left because all was decided, and then the time was
-   over before it was decided again ({!cut_short}). *)
-let causes r states : Verdict.reason list =
+(* Why no answer was found in some states. They may have been left because all was decided, only if then the time
+   was over before it was decided again: to leave them out else would make more of an answer than was explored. *)
+let causes ?(cut_short = false) r states : Verdict.reason list =
+  let bound = function
+    | Bounds.Early when not cut_short ->
+      Scc_base.Bug.fail __POS__ "an open question did not keep the exploration going"
+    | cause -> bound cause
+  in
   let fault = function Bounds.Fault f -> Some f.Scc_base.Diag.message | Bound _ | Early -> None in
   let causes = List.map (cause r) (reasons r states) in
   let bounds = Verdict.distinct (List.filter_map bound causes) in
@@ -110,7 +115,7 @@ let causes r states : Verdict.reason list =
 
 (* With a run to the nearest of them. They may be too many to be counted in time, and the run may be long, and take
    as long to be made as to be found. *)
-let unexplored r states =
+let unexplored ?cut_short r states =
   let matter =
     match Lost.attempt r.lost (fun () -> counted r states) with
     | None | Some (_, None) -> None
@@ -118,14 +123,14 @@ let unexplored r states =
       run r (fun () -> Some (Make_witness.of_path r.context r.graph i))
       |> Option.map (fun nearest -> Verdict.Unexplored { count; nearest })
   in
-  causes r states @ Option.to_list matter
+  causes ?cut_short r states @ Option.to_list matter
 
 let undefined (d : Search.doubts) = List.map (fun text -> Verdict.Undefined text) (Option.to_list d.undefined)
 let search_doubts r (d : Search.doubts) = undefined d @ unexplored r d.unexplored
 
-let doubts r (d : Scc_ctl.Doubts.t) =
+let doubts r temporal (d : Scc_ctl.Doubts.t) =
   let undefined =
     List.map (fun (u : Scc_ctl.Doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
   in
   List.map (fun text -> Verdict.Undefined text) undefined
-  @ unexplored r (List.to_seq d.unexplored)
+  @ unexplored ~cut_short:(Temporal.is_cut_short temporal) r (List.to_seq d.unexplored)

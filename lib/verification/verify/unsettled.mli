@@ -44,11 +44,14 @@ val cut_short : t -> Temporal.t -> Verdict.reason list
 (** [cut_short t temporal] is the reason why a probability or mean of the present formula is not better known, if
     it is that the time was over. *)
 
-val causes : t -> int Seq.t -> Verdict.reason list
-(** The reasons of a verdict why these states were not expanded: bounds, then faults, each once. *)
+val causes : ?cut_short:bool -> t -> int Seq.t -> Verdict.reason list
+(** [causes ?cut_short t states] is the reasons of a verdict why these states were not expanded: bounds, then
+    faults, each once. If all had been decided before they were, it is a bug, unless the evaluation was cut short
+    (default: it was not). *)
 
-val unexplored : t -> int Seq.t -> Verdict.reason list
-(** The {!causes} for these states, and a run to the nearest of them, unless it is lost. *)
+val unexplored : ?cut_short:bool -> t -> int Seq.t -> Verdict.reason list
+(** [unexplored ?cut_short t states] is the {!causes} for these states, and a run to the nearest of them, unless it
+    is lost. *)
 
 val search_doubts : t -> Search.doubts -> Verdict.reason list
 (** The reasons why a search is open: an undefined predicate, and the {!unexplored} states that matter. *)
@@ -56,6 +59,6 @@ val search_doubts : t -> Search.doubts -> Verdict.reason list
 val undefined : Search.doubts -> Verdict.reason list
 (** The reason that the predicate of a search is undefined somewhere, if it is. *)
 
-val doubts : t -> Scc_ctl.Doubts.t -> Verdict.reason list
-(** The reasons why a formula is open: undefined predicates, sorted, and the {!unexplored} states that
-    matter. *)
+val doubts : t -> Temporal.t -> Scc_ctl.Doubts.t -> Verdict.reason list
+(** [doubts t temporal d] is the reasons why a formula of [temporal] is open: undefined predicates, sorted, and the
+    {!unexplored} states that matter. *)
