@@ -15,8 +15,8 @@ val mean :
 
 val formula_doubts : Unsettled.t -> Temporal.t -> int -> Verdict.reason list
 (** [formula_doubts r temporal i] is the reasons why formula [i] is undecided, at least one. They are what was not
-    explored or has no value, or else the known intervals of the probabilities on which it directly depends. That the
-    time was over is one more. *)
+    explored or has no value, or else the known intervals of the probabilities on which it directly depends. That
+    the time was over is one more. *)
 
 (** {1 As functions of a parameter}
 
