@@ -240,8 +240,8 @@ let guarded f =
       | Some what -> now (refused `Service_unavailable what)
       | None -> now (refused `Internal_server_error ("a fault of scc: " ^ Printexc.to_string e)))
 
-(* Each connection is for one request, so that none stays open for nothing: it hears no more. What somebody sends
-   who is not admitted is not waited for. *)
+(* Each connection is for one request, so that none stays open for nothing: it hears no more. The body of a request
+   that is not admitted is not waited for. *)
 let callback t (connection, _) request body =
   let* a =
     match admitted t request with
