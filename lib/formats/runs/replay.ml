@@ -63,7 +63,8 @@ type place = {
 type ahead = Possible of Run.labels | Over of given_up
 
 let nothing : Run.labels =
-  { count = 0; label = (fun _ -> Bug.fail __POS__ "a transition that is not there"); tie = None }
+  let none _ = Bug.fail __POS__ "a transition that is not there" in
+  { count = 0; label = none; chance = none; tie = None }
 
 let transitions = function Possible labels -> labels | Over _ -> nothing
 
@@ -114,7 +115,7 @@ let source g : Ties.source =
   in
   {
     below = (fun n -> next (Splitmix64.below n !g));
-    by_chance = (fun chances -> next (Splitmix64.by_chance chances !g));
+    by_chance = (fun chances -> next (Splitmix64.by_chance (Array.of_list chances) !g));
   }
 
 (* What chance decides by its chances; all choices alike, as nothing tells how likely they are. *)
@@ -127,7 +128,7 @@ let at_random (transitions : Run.labels) g =
     let i = if i = 0 then pick source else List.nth others (i - 1) in
     (i, !g)
   | None when Transition.is_drawn (transitions.label 0) ->
-    Splitmix64.by_chance (List.map Transition.chance (Run.list transitions)) g
+    Splitmix64.by_chance (Array.init transitions.count transitions.chance) g
   | None -> Splitmix64.below transitions.count g
 
 (* Whether the choice of a transition was free: chance did not decide all. *)

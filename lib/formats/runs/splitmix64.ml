@@ -43,14 +43,18 @@ let below_integer n g =
   let width = Z.numbits (Z.pred n) in
   if Z.fits_int n && width > 0 then below_short (Z.to_int n) ~width g else below_long n g
 
-let by_chance chances g =
-  let open Scc_exact in
-  let common = List.fold_left (fun d (c : Rat.t) -> if Z.equal d c.den then d else Z.lcm d c.den) Z.one chances in
-  let weight (c : Rat.t) = if Z.equal c.den common then c.num else Z.mul c.num (Z.divexact common c.den) in
-  let weights = List.map weight chances in
-  let drawn, g = below_integer (List.fold_left Z.add Z.zero weights) g in
-  let rec place i left = function
-    | w :: rest when Z.geq left w -> place (i + 1) (Z.sub left w) rest
-    | _ -> i
+let by_chance (chances : Scc_exact.Rat.t array) g =
+  (* Most have one denominator; where it is small it is the same word. *)
+  let same d e = d == e || Z.equal d e in
+  let common =
+    Array.fold_left (fun d (c : Scc_exact.Rat.t) -> if same d c.den then d else Z.lcm d c.den) Z.one chances
   in
-  (place 0 drawn weights, g)
+  let weight (c : Scc_exact.Rat.t) =
+    if same c.den common then c.num else Z.mul c.num (Z.divexact common c.den)
+  in
+  let drawn, g = below_integer (Array.fold_left (fun sum c -> Z.add sum (weight c)) Z.zero chances) g in
+  let rec place i left =
+    let w = weight chances.(i) in
+    if Z.geq left w then place (i + 1) (Z.sub left w) else i
+  in
+  (place 0 drawn, g)

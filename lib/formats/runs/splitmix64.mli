@@ -18,6 +18,6 @@ val below : int -> t -> int * t
 (** [below n g] is a number from 0 to n - 1, for n > 0, each equally likely. It is the remainder by n of the
     first output (without its lowest bit) that is below the greatest multiple of n in 2^63. *)
 
-val by_chance : Scc_exact.Rat.t list -> t -> int * t
-(** [by_chance chances g] is an index into the list of positive chances. Each is drawn with exactly its share of
+val by_chance : Scc_exact.Rat.t array -> t -> int * t
+(** [by_chance chances g] is an index into the array of positive chances. Each is drawn with exactly its share of
     the sum. *)

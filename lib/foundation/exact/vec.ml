@@ -21,7 +21,12 @@ let sub a b = make (Q.sub a.x b.x) (Q.sub a.y b.y) (Q.sub a.z b.z)
 let neg a = make (Q.neg a.x) (Q.neg a.y) (Q.neg a.z)
 let scale k a = make (Q.mul k a.x) (Q.mul k a.y) (Q.mul k a.z)
 let middle a b = scale Rat.half (add a b)
-let axpy k a b = add (scale k a) b
+
+(* Many move along an axis, and the numbers of the other two are then those that were there. *)
+let axpy k a b =
+  let along d x = if Q.sign d = 0 then x else Q.add (Q.mul k d) x in
+  make (along a.x b.x) (along a.y b.y) (along a.z b.z)
+
 let dot a b = Q.add (Q.mul a.x b.x) (Q.add (Q.mul a.y b.y) (Q.mul a.z b.z))
 
 let cross a b =

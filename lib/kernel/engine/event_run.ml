@@ -175,6 +175,8 @@ let label t i =
   | None, Passes d -> Transition.Time d
   | None, Drawn _ -> Scc_base.Bug.fail __POS__ "a draw of nobody"
 
+let chance t i = match t.draws with Some draws -> snd (chances t draws).(i) | None -> Transition.chance (label t i)
+
 (* {1 Laws of motion}
 
    What is due after each transition, as {!Steer.settle} has it. *)

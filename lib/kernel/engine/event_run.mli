@@ -45,6 +45,9 @@ val count : t -> int
 val label : t -> int -> Transition.label
 (** The label of the alternative with a number. *)
 
+val chance : t -> int -> Rat.t
+(** [chance t i] is [Transition.chance (label t i)]. *)
+
 val tie : t -> Ties.tie option
 (** What chance decides between urgent transitions now, if it does (rule Ties). *)
 

@@ -62,7 +62,12 @@ let ahead s =
     s.ahead <- Some ahead;
     ahead
 
-type labels = { count : int; label : int -> Transition.label; tie : Ties.tie option }
+type labels = {
+  count : int;
+  label : int -> Transition.label;
+  chance : int -> Rat.t;
+  tie : Ties.tie option;
+}
 
 let list labels = List.init labels.count labels.label
 
@@ -81,15 +86,19 @@ let labels_ahead s =
   match ahead with
   | Events events ->
     let label i = let (a : alternative), _ = events.(i) in a.label in
-    Ok { count = Array.length events; label; tie = tie (Array.to_list (Array.map snd events)) }
+    let chance i = Transition.chance (label i) in
+    Ok { count = Array.length events; label; chance; tie = tie (Array.to_list (Array.map snd events)) }
   | Draws d ->
     let* chances = Draws.chances s.semantics d in
     let drawer = Draws.drawer d in
-    Ok { count = Array.length chances; label = (fun i -> Steer.draw_label drawer chances.(i)); tie = None }
+    let label i = Steer.draw_label drawer chances.(i) and chance i = snd chances.(i) in
+    Ok { count = Array.length chances; label; chance; tie = None }
 
 let labels t =
   match way t with
-  | Eventwise run -> Ok { count = Event_run.count run; label = Event_run.label run; tie = Event_run.tie run }
+  | Eventwise run ->
+    let label = Event_run.label run and chance = Event_run.chance run in
+    Ok { count = Event_run.count run; label; chance; tie = Event_run.tie run }
   | Stepwise s -> labels_ahead s
 
 let go s ((taken : alternative), (transition : Transition.t)) =

@@ -32,6 +32,7 @@ type alternative = Event_run.alternative = {
 type labels = {
   count : int;
   label : int -> Transition.label;
+  chance : int -> Scc_exact.Rat.t;  (** {!Scc_semantics.Transition.chance} of the label *)
   tie : Ties.tie option;  (** what chance decides between urgent transitions, if it does (rule Ties) *)
 }
 

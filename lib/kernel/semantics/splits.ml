@@ -290,7 +290,7 @@ let offers_strong (m : Model.t) (l : State.leaf) =
 
 let strong (c : Semantics.t) (p : State.process) =
   let m = c.setting.model in
-  if not (Array.exists (offers_strong m) p.leaves) then []
+  if Array.length p.bonds = 0 || not (Array.exists (offers_strong m) p.leaves) then []
   else
     List.concat_map (reactions m p) (List.init (Array.length p.bonds) Fun.id)
     |> List.map (fun reaction ->

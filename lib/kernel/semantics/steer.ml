@@ -65,7 +65,7 @@ let with_spins n law now shares =
 
 (* The motions that a leaf's law may ask for, with their chances. *)
 let of_leaf (n : _ Chances.t) (c : Kinematics.setting) ~time ~dt (l : State.leaf) now =
-  let env () = environment c.model ~time ~dt l (State.centroid c.model l) now in
+  let env () = environment c.model ~time ~dt:(dt l) l (State.centroid c.model l) now in
   match c.model.leaves.(l.leaf).law with
   | Inertial -> Ok [ ({ Given.velocity = now.velocity; spin = None }, n.one) ]
   | Gives m -> Result.map (fun given -> [ (given, n.one) ]) (motion (env ()) m)
@@ -102,7 +102,7 @@ let of_whole (n : _ Chances.t) (c : Kinematics.setting) ~time ~dt (p : State.pro
     let mass = c.model.leaves.(l.leaf).mass in
     let of_leaf =
       let now = { velocity = Turn.velocity_at c.model p (State.centroid c.model l); spin = p.spin } in
-      let* motions = of_leaf n c ~time ~dt:(dt l) l now in
+      let* motions = of_leaf n c ~time ~dt l now in
       sums n sum (List.map (fun (given, chance) -> (change_from now mass given, chance)) motions)
     in
     let* sum = Result.map_error (fun fault -> Transition.Bad_law { leaf = l.leaf; fault }) of_leaf in
@@ -119,7 +119,7 @@ let motions n c ~time ~dt (p : State.process) =
   | [| l |] ->
     Result.map_error
       (fun fault -> Transition.Bad_law { leaf = l.leaf; fault })
-      (of_leaf n c ~time ~dt:(dt l) l { velocity = p.velocity; spin = p.spin })
+      (of_leaf n c ~time ~dt l { velocity = p.velocity; spin = p.spin })
   | _ -> of_whole n c ~time ~dt p
 
 (* {1 Whose laws are asked, and when} *)

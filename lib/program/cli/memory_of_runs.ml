@@ -9,10 +9,16 @@ let start ?seconds ~memory ~jobs () =
 
 let watch t = t.watch
 
-(* Where the system gives no process, the command makes the runs itself, by its own watch. *)
+(* Where the system gives no process, the command makes the runs itself, by its own watch. It never makes [own], so
+   that a process with one need not ask the system which it is. *)
 let over t =
-  if Unix.getpid () = t.command then Watch.stop t.watch () = Some Limits.Memory
-  else Option.is_some (Watch.stop (Lazy.force t.own) ())
+  if (not (Lazy.is_val t.own)) && Unix.getpid () = t.command then Watch.stop t.watch () = Some Limits.Memory
+  else
+    let own = Lazy.force t.own in
+    match Watch.stop own () with
+    | None -> false
+    | Some Memory -> not (Watch.relieved own)
+    | Some (Seconds | Interrupted) -> true
 
 let ended t = t.ended <- true
 let stopped t = t.ended || Option.is_some (Watch.stop t.watch ())

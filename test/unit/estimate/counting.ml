@@ -22,7 +22,7 @@ let few_missed what ~count ~miss missed =
     Alcotest.failf "%s: %d of %d intervals miss" what missed count
 
 let coin (p : Rat.t) g =
-  let i, g = Splitmix64.by_chance [ p; Rat.sub Rat.one p ] g in
+  let i, g = Splitmix64.by_chance [| p; Rat.sub Rat.one p |] g in
   (i = 0, g)
 
 let path text =

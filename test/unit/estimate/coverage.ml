@@ -38,7 +38,7 @@ let experiment (range : Range.t) values weights ~mean ~open_of g =
       let rec runs tally made g =
         if made = n then (tally, g)
         else
-          let i, g = Splitmix64.by_chance weights g in
+          let i, g = Splitmix64.by_chance (Array.of_list weights) g in
           let o, g = Splitmix64.below open_of g in
           let open_ = open_of > 1 && o = 0 in
           let outcome = if open_ then Sample.Too_long Steps else Number values.(i) in
