@@ -1,6 +1,6 @@
 (* Probabilities and means that the time cuts short at any point: what is told is what would be told with more
-   time, or says that the time was over. The clock counts how often it is asked whether to stop. With [SCC_TIMES=n] it
-   stops at n times as many points. *)
+   time, or says that the time was over. The clock counts how often it is asked whether to stop. With
+   [SCC_TIMES=n] it stops at n times as many points. *)
 
 open Scc_exact
 open Scc_graph_search
