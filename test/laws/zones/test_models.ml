@@ -1,5 +1,6 @@
 (* A model of which everything is known, on a grid of splits, is a set of states of one: what is found over zones
-   is what the ordinary exploration finds, for every check of every model of specs/models that zones can follow. *)
+   is what the ordinary exploration finds, for every check of every model of specs/models that zones can follow. Of
+   models that never end, a thousand states are seen, or as many as [SCC_STATES] says. *)
 
 open Scc_verify
 open Scc_zones
@@ -17,7 +18,8 @@ let load file =
   let read_file name = try Ok (read (Filename.concat models name)) with Sys_error e -> Error e in
   Loaded.load ~read_file ~overrides:[] (Scc_base.Source.make ~name:file (read (Filename.concat models file)))
 
-let bounds = { Bounds.default with states = Given 3_000 }
+let most = Option.value (Option.bind (Sys.getenv_opt "SCC_STATES") int_of_string_opt) ~default:1_000
+let bounds = { Bounds.default with states = Given most }
 let options = { Setup.default with bounds }
 
 let kind : Verdict.t -> string = function

@@ -1,13 +1,15 @@
-"""Graphviz must draw every picture, with the states, transitions and texts that the graph has."""
+"""Graphviz must draw every picture, with the states, transitions and texts that the graph has. The pictures are of so many
+states as SCC_STATES says, 40 if it says nothing: the layout of larger ones takes far longer."""
 
 import json
+import os
 import shutil
 import subprocess
 from fractions import Fraction
 
 from common import MODELS, Run, absent, models
 
-STATES = 100
+STATES = int(os.environ.get("SCC_STATES", "40"))
 
 
 def draw(path, picture, read):
