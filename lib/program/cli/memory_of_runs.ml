@@ -13,12 +13,7 @@ let watch t = t.watch
    that a process with one need not ask the system which it is. *)
 let over t =
   if (not (Lazy.is_val t.own)) && Unix.getpid () = t.command then Watch.stop t.watch () = Some Limits.Memory
-  else
-    let own = Lazy.force t.own in
-    match Watch.stop own () with
-    | None -> false
-    | Some Memory -> not (Watch.relieved own)
-    | Some (Seconds | Interrupted) -> true
+  else Option.is_some (Watch.stop (Lazy.force t.own) ())
 
 let ended t = t.ended <- true
 let stopped t = t.ended || Option.is_some (Watch.stop t.watch ())

@@ -231,19 +231,14 @@ let dismiss t =
   finish t;
   timer 0.
 
-let compact t =
-  Critical.run (fun () ->
-      Scc_system.Garbage.compact ();
-      look t)
-
-(* If hardly anything was garbage, the limit is met again at once. *)
-let relieved t =
-  compact t;
-  taken t < 0.9 *. (1. -. left_to_conclusions)
-
 (* What has ended, or was given up for its memory, has left it behind as garbage. *)
 let compacted t stage =
-  match over t stage with Some Memory -> compact t | Some (Seconds | Interrupted) | None -> ()
+  match over t stage with
+  | Some Memory ->
+    Critical.run (fun () ->
+        Scc_system.Garbage.compact ();
+        look t)
+  | Some (Seconds | Interrupted) | None -> ()
 
 let attempted t stage f =
   t.reading <- false;

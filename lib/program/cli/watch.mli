@@ -32,10 +32,6 @@ val stop : t -> unit -> Limits.stop option
 val reason : Limits.stop -> string
 (** The reason in words. *)
 
-val relieved : t -> bool
-(** [relieved t] gives the memory of garbage back to the system, where {!stop} is [Some Memory]. The result is true
-    if much less than the limit is taken then, so that the work may go on. *)
-
 val attempt : t -> Limits.attempt
 (** How work that does not call {!stop} is ended. *)
 
