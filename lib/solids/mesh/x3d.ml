@@ -148,7 +148,8 @@ let check_own r (tag : tag) =
       "%s has no attribute %s that is known here" tag.name.text (quote a.key.text)
 
 let stray_text r (tag : tag) =
-  Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
+  Scene.bad ~path:r.path { tag.name with text = " " }
+    "text stands between elements here, where X3D has none: values are attributes"
 
 (* Scripts and shaders have a text; nothing else has. *)
 let characters r tag =
