@@ -24,8 +24,8 @@ type t
 
 val make :
   files:Beside.reader -> room:int ref -> read:(t -> path:string -> start:int -> string -> file) -> t
-(** [read library ~path ~start text] has the prototypes of a file. Its words have places from [start] on, and so
-    have its faults. *)
+(** [read library ~path ~start text] has the prototypes of a file. Its words have places from [start] on.
+    Its faults are located by such places, or by those in the file. *)
 
 val file :
   units:Scene_unit.t ->

@@ -5,5 +5,5 @@ val scene : Scene_library.t -> path:string -> string -> Scene.file
     nodes. Raises {!Scene.Refused} with an error (SC0320, SC0321) that is located in the file. *)
 
 val prototypes : Scene_library.t -> path:string -> start:int -> string -> Scene_library.file
-(** [prototypes library ~path ~start text] has the prototypes that a file declares, with all its places and those
-    of errors counted from [start] on. *)
+(** [prototypes library ~path ~start text] has the prototypes that a file declares. Words have places that
+    are counted from [start] on, as {!Scene_library.make} says. *)

@@ -1,4 +1,5 @@
-(** The text of a file in XML, whose places are counted from any number on. Faults raise {!Scene.Refused}. *)
+(** The text of a file in XML, whose words have places that are counted from any number on. Faults raise
+    {!Scene.Refused}, at the place in the file. *)
 
 type t = {
   path : string;
