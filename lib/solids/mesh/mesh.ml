@@ -18,8 +18,9 @@ let scene read ~files ~path text =
     else if is_xml text then X3d.scene library ~path:other text
     else Vrml.scene library ~path:other text
   in
-  let prototypes library ~path ~start text =
-    if is_xml text then X3d.prototypes library ~path ~start text else Vrml.prototypes library ~path ~start text
+  let prototypes library ~path ~start ~depth text =
+    let read = if is_xml text then X3d.prototypes else Vrml.prototypes in
+    read library ~path ~start ~depth text
   in
   Scene_solid.read ~files ~scene:any ~prototypes ~path text
 

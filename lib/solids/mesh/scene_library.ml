@@ -6,12 +6,12 @@ type prototype = {
   body : path:string -> Text.word -> depth:int -> Scene.fields -> Scene.node * Scene.change list;
 }
 
-type file = { prototypes : (string * (unit -> prototype)) list; length : Rat.t }
+type file = { prototypes : (string * (depth:int -> prototype)) list; length : Rat.t }
 
 type t = {
   files : Beside.reader;
   room : int ref;
-  read : t -> path:string -> start:int -> string -> file;
+  read : t -> path:string -> start:int -> depth:int -> string -> file;
   loaded : (string, file) Hashtbl.t;
   mutable loading : string list;
   mutable following : int;  (* declarations that lead to each other *)
@@ -29,10 +29,10 @@ let make ~files ~room ~read =
 
 let file ~units ~own ~elsewhere prototypes =
   let one (name, prototype) =
-    let made () =
+    let made ~depth =
       match prototype with
       | Scene.Own { fields; body } -> own name fields body
-      | Elsewhere e -> elsewhere e
+      | Elsewhere e -> elsewhere ~depth e
       | Inside -> Bug.fail __POS__ "a prototype around a file"
     in
     (name, made)
@@ -74,7 +74,7 @@ let refuse (e : Scene.elsewhere) fmt =
   Scene.unread ~path:e.path e.at
     ~hint:"put the declaration of the prototype into this file, or that file beside this one" fmt
 
-let load t (e : Scene.elsewhere) path text =
+let load t ~depth (e : Scene.elsewhere) path text =
   match Hashtbl.find_opt t.loaded path with
   | Some file -> file
   | None ->
@@ -85,7 +85,7 @@ let load t (e : Scene.elsewhere) path text =
     t.room := !(t.room) + (4 * String.length text);
     Scene.spend ~path:e.path t.room e.at 100;
     t.loading <- path :: around;
-    let file = t.read t ~path ~start text in
+    let file = t.read t ~path ~start ~depth text in
     t.loading <- around;
     Hashtbl.replace t.loaded path file;
     file
@@ -103,7 +103,7 @@ let chosen (e : Scene.elsewhere) url file =
         let file = file_of url in
         refuse e "the file %s has no prototype of the name %s" (Text.quote file) (Text.quote name))
 
-let find t ~length (e : Scene.elsewhere) =
+let find t ~depth ~length (e : Scene.elsewhere) =
   let one url =
     Result.bind (Beside.path ~path:e.path (file_of url)) (fun path ->
         Result.map (fun text -> (path, text)) (if Hashtbl.mem t.loaded path then Ok "" else t.files path))
@@ -119,7 +119,7 @@ let find t ~length (e : Scene.elsewhere) =
         match one url with
         | Error text -> first (if Option.is_some why then why else Some (url, text)) rest
         | Ok (path, _) when List.mem path t.loading -> refuse e "the file %s needs itself here" (Text.quote url)
-        | Ok (path, text) -> (url, load t e path text))
+        | Ok (path, text) -> (url, load t ~depth e path text))
   in
   if t.following >= most_followed then
     refuse e "prototypes in other files lead to each other more than %d times" most_followed;
@@ -127,6 +127,6 @@ let find t ~length (e : Scene.elsewhere) =
   let url, file = first None e.urls in
   if not (Rat.equal file.length length) then
     refuse e "the prototype %s is in a file with another unit of length" (Text.quote e.name);
-  let found = chosen e url file () in
+  let found = chosen e url file ~depth in
   t.following <- t.following - 1;
   found

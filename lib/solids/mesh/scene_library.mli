@@ -14,8 +14,8 @@ type prototype = {
 }
 
 type file = {
-  prototypes : (string * (unit -> prototype)) list;
-  (** those that the file declares outside of all nodes, in order *)
+  prototypes : (string * (depth:int -> prototype)) list;
+  (** those that the file declares outside of all nodes, in order, each as {!find} has it *)
   length : Scc_exact.Rat.t;  (** its unit of length *)
 }
 
@@ -23,14 +23,18 @@ type t
 (** The files that were read, and how to read others. *)
 
 val make :
-  files:Beside.reader -> room:int ref -> read:(t -> path:string -> start:int -> string -> file) -> t
-(** [read library ~path ~start text] has the prototypes of a file. Its words have places from [start] on.
+  files:Beside.reader ->
+  room:int ref ->
+  read:(t -> path:string -> start:int -> depth:int -> string -> file) ->
+  t
+(** [read library ~path ~start ~depth text] has the prototypes of a file. Its nodes are inside of others, which are
+    so deep. Its words have places from [start] on.
     Its faults are located by such places, or by those in the file. *)
 
 val file :
   units:Scene_unit.t ->
   own:(string -> Scene.fields -> 'body -> prototype) ->
-  elsewhere:(Scene.elsewhere -> prototype) ->
+  elsewhere:(depth:int -> Scene.elsewhere -> prototype) ->
   (string * 'body Scene.prototype) list ->
   file
 (** The file with these prototypes, the last one first. [own] and [elsewhere] make what is declared. *)
@@ -44,10 +48,11 @@ val room : t -> int ref
 val elsewhere : path:string -> name:string -> Text.word -> Text.word list -> Scene.elsewhere
 (** [elsewhere ~path ~name at words] is declared at the word [at] of [path], with these words of addresses. *)
 
-val find : t -> length:Scc_exact.Rat.t -> Scene.elsewhere -> prototype
-(** The prototype in the first of its files that can be read. There it has the name that follows [#], or is the
-    first one. Without such a file, and in a file with another unit of length than [length], it is refused
-    (SC0321). So it is when a prototype leads to itself, from file to file. *)
+val find : t -> depth:int -> length:Scc_exact.Rat.t -> Scene.elsewhere -> prototype
+(** [find library ~depth ~length elsewhere] is the prototype in the first of its files that can be read.
+    There it has the name that follows [#], or is the first one. Without such a file, and in a file with another
+    unit of length than [length], it is refused (SC0321). So it is when a prototype leads to itself, from file to
+    file. *)
 
 val strings : Text.word list -> string list
 (** The strings of a field of strings: in quotes, with blanks in them or not. *)

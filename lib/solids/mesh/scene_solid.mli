@@ -6,7 +6,7 @@ open Scc_geometry
 val read :
   files:Beside.reader ->
   scene:(Scene_library.t -> path:string -> string -> Scene.file) ->
-  prototypes:(Scene_library.t -> path:string -> start:int -> string -> Scene_library.file) ->
+  prototypes:(Scene_library.t -> path:string -> start:int -> depth:int -> string -> Scene_library.file) ->
   path:string ->
   string ->
   (Polyhedron.ifs * Diag.t list, Diag.t) result

@@ -160,10 +160,11 @@ and any r depth at kind name =
   match List.assoc_opt kind.text r.prototypes with
   | None -> simple r depth at kind name
   | Some Inside -> Scene.inside ~path:r.path kind kind.text
-  | Some (Elsewhere elsewhere) -> instance r depth at kind name (from_file r elsewhere)
+  | Some (Elsewhere elsewhere) -> instance r depth at kind name (from_file r ~depth elsewhere)
   | Some (Own own) -> instance r depth at kind name (own_prototype r kind.text own.fields own.body)
 
-and from_file r elsewhere = Scene_library.find r.library ~length:(Scene_unit.length r.units) elsewhere
+and from_file r ~depth elsewhere =
+  Scene_library.find r.library ~depth ~length:(Scene_unit.length r.units) elsewhere
 
 and own_prototype r name fields body =
   let body ~path kind ~depth fields =
@@ -338,7 +339,7 @@ let scene library ~path text =
   let nodes = contents r 0 in
   { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }
 
-let prototypes library ~path ~start text =
+let prototypes library ~path ~start ~depth text =
   let r = file library ~path ~first:start text in
-  ignore (contents r 0);
+  ignore (contents r depth);
   Scene_library.file ~units:r.units ~own:(own_prototype r) ~elsewhere:(from_file r) r.prototypes

@@ -303,13 +303,14 @@ and instance r tag rest =
      Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure tag.name.text)
        "no prototype of that name is declared before it"
    | None, Some (Some Inside) -> Scene.inside ~path:r.path tag.name (Option.value given_name ~default:"")
-   | None, Some (Some (Elsewhere elsewhere)) -> expand r tag inside (from_file r elsewhere)
+   | None, Some (Some (Elsewhere elsewhere)) -> expand r tag inside (from_file r ~depth:r.depth elsewhere)
    | None, Some (Some (Own { fields; body })) ->
      let name = Option.value given_name ~default:"" in
      expand r tag inside (own_prototype r name fields body));
   rest
 
-and from_file r elsewhere = Scene_library.find r.library ~length:(Scene_unit.length r.units) elsewhere
+and from_file r ~depth elsewhere =
+  Scene_library.find r.library ~depth ~length:(Scene_unit.length r.units) elsewhere
 
 and own_prototype r prototype fields body =
   let body ~path (kind : word) ~depth fields =
@@ -368,7 +369,8 @@ let scene library ~path text =
   let nodes = contents r ~of_element:"" tags in
   { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }
 
-let prototypes library ~path ~start text =
+let prototypes library ~path ~start ~depth text =
   let r, tags = file library ~path ~first:start text in
+  r.depth <- depth;
   ignore (contents r ~of_element:"" tags);
   Scene_library.file ~units:r.units ~own:(own_prototype r) ~elsewhere:(from_file r) r.prototypes

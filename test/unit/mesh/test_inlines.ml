@@ -196,11 +196,27 @@ let doubling () =
   | Error d -> Alcotest.(check string) "refused" "SC0320" d.code
   | Ok _ -> Alcotest.fail "it is read"
 
+(* Files of prototypes that need each other inside of deep nodes: the depth of all together is bounded. *)
+let deep () =
+  let again n text = String.concat "" (List.init n (fun _ -> text)) in
+  let nested k =
+    extern "A" (Printf.sprintf "%d.wrl" (k + 1)) ^ "PROTO P [ ] { " ^ shape ^ " }"
+    ^ again 900 "Group { children " ^ "A { }" ^ again 900 "}"
+  in
+  let files path =
+    match int_of_string_opt (Filename.chop_extension path) with
+    | Some k when k < 10 -> Ok (head ^ nested k)
+    | Some _ | None -> Ok (head ^ "PROTO P [ ] { " ^ shape ^ " }")
+  in
+  match Mesh.read ~files ~path:"0.wrl" (head ^ nested 0) with
+  | Error d -> Alcotest.(check string) "refused" "SC0320 in 1.wrl" (d.code ^ " in " ^ d.span.file)
+  | Ok _ -> Alcotest.fail "it is read"
+
 let suite =
   ("inlines",
    [
      ("files", List.map check cases); ("prototypes", List.map check prototypes);
      ("prototypes of X3D", List.map check_xml xml_cases);
      ("place", [ Alcotest.test_case "in another file" `Quick place ]);
-     ("many", [ Alcotest.test_case "doubling" `Quick doubling ]);
+     ("many", [ Alcotest.test_case "doubling" `Quick doubling; Alcotest.test_case "deep" `Quick deep ]);
    ])
