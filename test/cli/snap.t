@@ -346,6 +346,26 @@ A solid with fewer faces around the hull, and how far it goes beyond; no fewer t
     hint: --faces 6 is enough
   [3]
 
+Its numbers may be long. What takes more than 400 bytes is rounded in the text, and exact in JSON.
+
+  $ longest() { awk '{ if (length($0) > n) n = length($0) } END { print n }'; }
+  $ seq 0 119 | awk '{t = $1 * 2.399963; z = 1 - (2 * $1 + 1) / 120; r = sqrt(1 - z * z)
+  >   printf "%.6f %.6f %.6f\n", r * cos(t), r * sin(t), z}' > ball.xyz
+  $ scc shape --hull --faces 30 ball.xyz | tail -n +5 | longest
+  219
+  $ scc shape --hull --faces 30 ball.xyz | sed -n '/^volume/,$p' | sed 's/[0-9.]*[0-9]/N/g' | sort -u
+    about (-N, N, N)
+    about (N, N, -N)
+    about (N, N, N)
+  centroid: about (-N, -N, -N)
+  inertia about the centroid, density N:
+  inertia about the centroid, mass N:
+  volume: about N
+  $ scc shape --hull --faces 30 --json ball.xyz | grep -c '"[0-9]\{500\}[0-9]*/[0-9]\{500\}[0-9]*"'
+  15
+  $ scc shape --hull --faces 30 ball.xyz --svg ball.svg > ball.out; grep -o 'volume [^<]*' ball.svg
+  volume about 4.42383.
+
 Of an XYZ file, which has points alone.
 
   $ printf "0 0 0 9\n1 0 0 9\n0 1 0 9\n0 0 1 9\n.1 .1 .1 9\n" > scan.xyz

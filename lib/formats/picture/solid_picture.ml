@@ -266,7 +266,8 @@ let notes (r : Solid_report.t) witnesses =
   let plain text : Key.note = { badge = []; text } in
   match r.verdict with
   | Accepted (_, mass) ->
-    [ plain (Printf.sprintf "A convex closed polyhedron: %s, volume %s." sizes (Rat.to_string mass.volume)) ]
+    let volume = Decimal.in_short ~most:64 mass.volume in
+    [ plain (Printf.sprintf "A convex closed polyhedron: %s, volume %s." sizes volume) ]
   | Rejected _ ->
     let note (w : Witness.t) : Key.note = { badge = badge w.badge; text = w.text } in
     let more = Witness.more r in

@@ -76,6 +76,10 @@ let significant = significant_by nearest
 let significant_above ~digits x =
   if Rat.sign x < 0 then Bug.fail __POS__ "a number below 0" else significant_by above ~digits x
 
+let in_short ~most x =
+  let text = Rat.to_string x in
+  if String.length text <= most then text else "about " ^ significant ~digits:6 x
+
 let exact x =
   let places = 12 in
   let shifted = Rat.mul x (Q.of_bigint (power places)) in

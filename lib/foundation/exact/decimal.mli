@@ -22,6 +22,10 @@ val significant : digits:int -> Rat.t -> string
 val significant_above : digits:int -> Rat.t -> string
 (** [significant_above ~digits x] is as {!significant}, but rounded up. [x] is at least 0 (a bug otherwise). *)
 
+val in_short : most:int -> Rat.t -> string
+(** [in_short ~most x] is {!Rat.to_string} if that has at most [most] bytes. Otherwise it is ["about"] and [x]
+    rounded to 6 digits. *)
+
 val marked : Rat.t -> string
 (** [marked x] is ["~"] and [x] with six places after the point, or with seven digits and a power of ten below
     1/1000 and from 10{^9} on: ["~0.333333"], ["~-2.000000e9"]. The error is at most half a unit of the last digit.

@@ -52,8 +52,8 @@ let hash a = (((Rat.hash a.x * 31) + Rat.hash a.y) * 31) + Rat.hash a.z
 let to_string a =
   Printf.sprintf "(%s, %s, %s)" (Rat.to_string a.x) (Rat.to_string a.y) (Rat.to_string a.z)
 
-let in_short a =
+let in_short ?(most = 120) a =
   let text = to_string a in
   let about = Decimal.significant ~digits:6 in
-  if String.length text <= 120 then text
+  if String.length text <= most then text
   else Printf.sprintf "about (%s, %s, %s)" (about a.x) (about a.y) (about a.z)

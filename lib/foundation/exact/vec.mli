@@ -64,6 +64,6 @@ val hash : t -> int
 val to_string : t -> string
 (** [to_string a] is ["(x, y, z)"], with exact rational coordinates. *)
 
-val in_short : t -> string
-(** [in_short a] is {!to_string} if that has at most 120 bytes. Otherwise it is ["about (x, y, z)"], with
-    coordinates rounded to 6 digits. *)
+val in_short : ?most:int -> t -> string
+(** [in_short a] is {!to_string} if that has at most [most] bytes, 120 by default. Otherwise it is
+    ["about (x, y, z)"], with coordinates rounded to 6 digits. *)

@@ -53,9 +53,7 @@ let diagnostics ~union (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list 
 let most_listed = 40
 
 (* Cuts through cuts have long numbers. *)
-let short ?(most = 24) q =
-  let text = Rat.to_string q in
-  if String.length text <= most then text else "about " ^ Decimal.significant ~digits:6 q
+let short ?(most = 24) q = Decimal.in_short ~most q
 
 let text ~name ~mended (t : Parts.t) =
   let b = Buffer.create 1024 in

@@ -17,7 +17,7 @@ let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
     let name i = fst set.ifs_faces.(i) in
     ( Code.crossing_faces,
       Printf.sprintf "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
-        (name f) (name g) (Vec.to_string x) )
+        (name f) (name g) (Vec.in_short x) )
   | Pieces fault -> Shells.message set fault
   | Nothing -> (Code.no_solid, "the faces surround nothing: each is there from both sides, or is turned inward")
   | Too_many most ->

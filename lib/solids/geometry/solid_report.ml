@@ -81,16 +81,20 @@ let add_paper b r =
     paper.directed_edges paper.faces
     (Definition_4_3.euler_ordered paper)
 
+(* What a line has of an exact number. Corners where many planes meet may have numbers of 10^5 digits. *)
+let most = 400
+let exact v = Vec.in_short ~most v
+
 let add_tensor b what (m : Mat.t) =
   line b "inertia about the centroid, %s:" what;
-  List.iter (fun row -> line b "  %s" (Vec.to_string row)) [ m.r0; m.r1; m.r2 ]
+  List.iter (fun row -> line b "  %s" (exact row)) [ m.r0; m.r1; m.r2 ]
 
 let add_mass b r =
   match r.verdict with
   | Rejected _ -> ()
   | Accepted (_, mass) ->
-    line b "volume: %s" (Rat.to_string mass.volume);
-    line b "centroid: %s" (Vec.to_string mass.centroid);
+    line b "volume: %s" (Decimal.in_short ~most mass.volume);
+    line b "centroid: %s" (exact mass.centroid);
     add_tensor b "density 1" mass.inertia;
     add_tensor b "mass 1" (Mass_properties.inertia ~mass:Rat.one mass)
 

@@ -13,12 +13,16 @@ let is_xml text =
 
 (* Scenes name files of either format. *)
 let scene read ~files ~path text =
-  let any ~path:other text room =
-    if String.equal other path then read ~path text room
-    else if is_xml text then X3d.scene ~path:other text room
-    else Vrml.scene ~path:other text room
+  let any library ~path:other text =
+    if String.equal other path then read library ~path text
+    else if is_xml text then X3d.scene library ~path:other text
+    else Vrml.scene library ~path:other text
   in
-  Scene_solid.read ~files ~scene:any ~path text
+  let prototypes library ~path ~start ~depth text =
+    let read = if is_xml text then X3d.prototypes else Vrml.prototypes in
+    read library ~path ~start ~depth text
+  in
+  Scene_solid.read ~files ~scene:any ~prototypes ~path text
 
 let readers =
   [

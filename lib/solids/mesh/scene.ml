@@ -63,7 +63,8 @@ let changes names routes =
 (* {1 Prototypes} *)
 
 type fields = (string * value option) list
-type 'body prototype = Elsewhere | Inside | Own of { fields : fields; body : 'body }
+type elsewhere = { path : string; name : string; at : Text.word; urls : string list }
+type 'body prototype = Elsewhere of elsewhere | Inside | Own of { fields : fields; body : 'body }
 
 let within (name : string) known = if List.mem_assoc name known then known else (name, Inside) :: known
 

@@ -69,8 +69,16 @@ val changes : names -> route list -> change list
 type fields = (string * value option) list
 (** The values of fields, by name; [None] for events. *)
 
+type elsewhere = {
+  path : string;  (** the file that declares it so *)
+  name : string;  (** in that file *)
+  at : Text.word;  (** where its addresses are *)
+  urls : string list;
+}
+(** A prototype in another file. *)
+
 (** What is declared: in another file, around this place, or in this file before it, with its body. *)
-type 'body prototype = Elsewhere | Inside | Own of { fields : fields; body : 'body }
+type 'body prototype = Elsewhere of elsewhere | Inside | Own of { fields : fields; body : 'body }
 
 val within : string -> (string * 'body prototype) list -> (string * 'body prototype) list
 (** [within name known] are the prototypes that the body of [name] can use, if those in [known] are declared before

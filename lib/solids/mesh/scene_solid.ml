@@ -60,8 +60,8 @@ type seen = { file : string; word : Text.word }
 
 type t = {
   mutable path : string;  (* of the file of what is shown *)
-  files : Beside.reader;
-  scene : path:string -> string -> int ref -> file;
+  library : Scene_library.t;
+  scene : Scene_library.t -> path:string -> string -> file;
   loaded : (string, file) Hashtbl.t;  (* by its path *)
   mutable all : (string * file) list;  (* the last one first *)
   mutable around : string list;  (* the files whose Inlines are being shown *)
@@ -138,14 +138,6 @@ let check_in_shape t ~in_shape (node : node) =
 
 let most_within = 32
 
-(* Strings stand in quotes, with blanks in them or not. *)
-let strings words =
-  let text = String.concat " " (List.map (fun (w : Text.word) -> w.text) words) in
-  if String.contains text '"' then List.filteri (fun i _ -> i land 1 = 1) (String.split_on_char '"' text)
-  else List.filter (( <> ) "") (String.split_on_char ' ' text)
-
-let file_of url = List.hd (String.split_on_char '#' url)
-
 let load t (at : Text.word) ~path text =
   match Hashtbl.find_opt t.loaded path with
   | Some file -> file
@@ -153,7 +145,7 @@ let load t (at : Text.word) ~path text =
     let text = Source.blank_mark text in
     t.room := !(t.room) + (4 * String.length text);
     spend ~path:t.path t.room at 100;
-    let file = t.scene ~path text t.room in
+    let file = t.scene t.library ~path text in
     F.check_all_unseen ~path file.nodes;
     Hashtbl.replace t.loaded path file;
     t.all <- (path, file) :: t.all;
@@ -161,13 +153,17 @@ let load t (at : Text.word) ~path text =
 
 (* The first of the files that can be read, with its path; none if none is named. *)
 let inline t (node : node) =
-  let urls = strings (Option.value (F.words ~path:t.path node "url") ~default:[]) in
+  let words = Option.value (F.words ~path:t.path node "url") ~default:[] in
+  let urls = Scene_library.strings words in
+  (* An address in the body of a prototype is beside the file of that. *)
+  let beside = match words with w :: _ -> Scene_library.path_of t.library ~path:t.path w | [] -> t.path in
+  let text path = if Hashtbl.mem t.loaded path then Ok "" else Scene_library.files t.library path in
   let one url =
-    Result.bind (Beside.path ~path:t.path (file_of url)) (fun path ->
-        Result.map (fun text -> (path, text)) (if Hashtbl.mem t.loaded path then Ok "" else t.files path))
+    Result.bind (Beside.path ~path:beside (Scene_library.file_of url)) (fun path ->
+        Result.map (fun text -> (path, text)) (text path))
   in
   let refuse url why =
-    unread ~path:t.path (F.place node "url")
+    unread ~path:t.path (match words with first :: _ -> first | [] -> F.place node "url")
       ~hint:"put what the other file has in the place of the Inline, or that file beside this one"
       "the file %s of this Inline is not read: %s" (Text.quote url) why
   in
@@ -335,13 +331,14 @@ let nothing t =
     bad ~path:file word "the scene shows no faces: this %s shows nothing of what is in it" word.text
   | None, None -> ok (Text.error_at ~path:t.path 0 "the scene shows no faces")
 
-let read ~files ~scene ~path text =
+let read ~files ~scene ~prototypes ~path text =
+  let room = Scene.room ~size:(String.length text) in
+  let library = Scene_library.make ~files ~room ~read:prototypes in
   let work () =
-    let room = Scene.room ~size:(String.length text) in
-    let file = scene ~path text room in
+    let file = scene library ~path text in
     let t =
       {
-        path; files; scene; loaded = Hashtbl.create 8; all = [ (path, file) ]; around = [];
+        path; library; scene; loaded = Hashtbl.create 8; all = [ (path, file) ]; around = [];
         length = file.length; room; count = 0;
         points = []; faces = []; near = None; left_out = None; alone = None; hidden = None;
       }
@@ -351,8 +348,9 @@ let read ~files ~scene ~path text =
     if t.points = [] then nothing t;
     let all = List.rev t.all in
     let first f = match List.concat_map (fun (path, file) -> f ~path file) all with [] -> [] | d :: _ -> [ d ] in
-    (Text.labelled t.points t.faces, nearly t @ thin t @ points_alone t @ first moving @ first lost)
+    let warnings = nearly t @ thin t @ points_alone t @ first moving @ first lost in
+    (Text.labelled t.points t.faces, List.map (Scene_library.located library) warnings)
   in
   match work () with
   | result -> Ok result
-  | exception Refused d -> Error d
+  | exception Refused d -> Error (Scene_library.located library d)

@@ -1,8 +1,9 @@
 open Scc_base
 open Text
 
-(* Tokens: braces and brackets by themselves, strings with the quote before them; comments left out. *)
-let tokens text =
+(* Tokens: braces and brackets by themselves, strings with the quote before them; comments left out. Their places
+   are counted from [first] on. *)
+let tokens ~first text =
   let n = String.length text in
   let is_blank c = c = ' ' || c = '\t' || c = '\n' || c = '\r' || c = ',' || c = '\x0c' in
   let is_bracket c = c = '{' || c = '}' || c = '[' || c = ']' in
@@ -26,19 +27,20 @@ let tokens text =
       | '#' -> scan acc (to_line_end i)
       | '"' ->
         let stop = after_quote (i + 1) in
-        scan ({ text = String.sub text i (min n stop - i); start = i } :: acc) stop
+        scan ({ text = String.sub text i (min n stop - i); start = first + i } :: acc) stop
       | c when is_blank c -> scan acc (i + 1)
-      | c when is_bracket c -> scan ({ text = String.make 1 c; start = i } :: acc) (i + 1)
+      | c when is_bracket c -> scan ({ text = String.make 1 c; start = first + i } :: acc) (i + 1)
       | _ ->
         let stop = word_end i in
-        scan ({ text = String.sub text i (stop - i); start = i } :: acc) stop
+        scan ({ text = String.sub text i (stop - i); start = first + i } :: acc) stop
   in
   scan [] 0
 
 (* Nodes are built from the tokens that are left. *)
 type reader = {
+  library : Scene_library.t;
   path : string;
-  room : int ref;  (* for the bodies of prototypes *)
+  first : int;  (* the place of the file's first byte *)
   mutable left : word list;
   names : Scene.names;
   units : Scene_unit.t;
@@ -51,8 +53,8 @@ type reader = {
 (* The words of a body, and the prototypes that it can use: those declared before it. *)
 and body = { words : word list; length : int; known : (string * body Scene.prototype) list }
 
-let reader ~path ~room ~units ~prototypes ~fields left =
-  { path; room; left; names = Scene.names (); units; routes = []; changes = []; prototypes; fields }
+let reader ~library ~path ~first ~units ~prototypes ~fields left =
+  { library; path; first; left; names = Scene.names (); units; routes = []; changes = []; prototypes; fields }
 
 (* {1 Words} *)
 
@@ -89,7 +91,7 @@ let brackets r =
     r.left <- rest;
     go at 1 []
   | w :: _ -> Scene.bad ~path:r.path w "expected a bracket, found %s" (quote w.text)
-  | [] -> Scene.ok (error_at ~path:r.path 0 "the file ends where a bracket is expected")
+  | [] -> Scene.ok (error_at ~path:r.path r.first "the file ends where a bracket is expected")
 
 (* {1 Statements that are no nodes} *)
 
@@ -116,8 +118,9 @@ let other_statement r =
   | { text = "EXTERNPROTO"; _ } :: name :: rest ->
     after rest (fun () ->
         ignore (brackets r);
-        (match r.left with { text = "["; _ } :: _ -> ignore (brackets r) | _ -> ignore (plain r []));
-        r.prototypes <- (name.text, Elsewhere) :: r.prototypes)
+        let urls = match r.left with { text = "["; _ } :: _ -> brackets r | _ -> plain r [] in
+        let elsewhere = Scene_library.elsewhere ~path:r.path ~name:name.text name urls in
+        r.prototypes <- (name.text, Elsewhere elsewhere) :: r.prototypes)
   | { text = "PROFILE" | "COMPONENT"; _ } :: _ :: rest | { text = "META"; _ } :: rest ->
     after rest (fun () -> ignore (plain r []))
   | ({ text = "UNIT"; _ } as at) :: { text = category; _ } :: _ :: factor :: rest ->
@@ -151,29 +154,40 @@ let rec node r depth =
     r.left <- rest;
     any r depth at kind None
   | w :: _ -> Scene.bad ~path:r.path w "expected a node, found %s" (quote w.text)
-  | [] -> Scene.ok (error_at ~path:r.path 0 "the file ends where a node is expected")
+  | [] -> Scene.ok (error_at ~path:r.path r.first "the file ends where a node is expected")
 
 and any r depth at kind name =
   match List.assoc_opt kind.text r.prototypes with
   | None -> simple r depth at kind name
-  | Some Elsewhere ->
-    Scene.unread ~path:r.path kind ~hint:"put the declaration of the prototype into this file"
-      "the prototype %s is in another file" (quote kind.text)
   | Some Inside -> Scene.inside ~path:r.path kind kind.text
-  | Some (Own { fields; body }) ->
-    Scene.opening r.names name;
-    let fields = Scene.given ~path:r.path kind fields (own_fields r depth at kind) in
-    Scene.spend ~path:r.path r.room kind body.length;
-    let prototypes = Scene.within kind.text body.known in
-    let inner = reader ~path:r.path ~room:r.room ~units:r.units ~prototypes ~fields:(Some fields) body.words in
-    let node =
-      match contents inner (depth + 1) with
-      | (node : Scene.node) :: _ -> { node with name = (if Option.is_some name then name else node.name) }
-      | [] -> Scene.bad ~path:r.path kind "the prototype %s has no node in its body" (quote kind.text)
+  | Some (Elsewhere elsewhere) -> instance r depth at kind name (from_file r ~depth elsewhere)
+  | Some (Own own) -> instance r depth at kind name (own_prototype r kind.text own.fields own.body)
+
+and from_file r ~depth elsewhere =
+  Scene_library.find r.library ~depth ~length:(Scene_unit.length r.units) elsewhere
+
+and own_prototype r name fields body =
+  let body ~path kind ~depth fields =
+    Scene.spend ~path (Scene_library.room r.library) kind body.length;
+    let prototypes = Scene.within name body.known in
+    let inner =
+      reader ~library:r.library ~path:r.path ~first:r.first ~units:r.units ~prototypes ~fields:(Some fields)
+        body.words
     in
-    r.changes <- List.rev_append (all_changes inner) r.changes;
-    Scene.instance r.names { node with name };
-    node
+    match contents inner depth with
+    | node :: _ -> (node, all_changes inner)
+    | [] -> Scene.bad ~path kind "the prototype %s has no node in its body" (quote kind.text)
+  in
+  { Scene_library.fields; body }
+
+and instance r depth at kind name (prototype : Scene_library.prototype) =
+  Scene.opening r.names name;
+  let fields = Scene.given ~path:r.path kind prototype.fields (own_fields r depth at kind) in
+  let node, changes = prototype.body ~path:r.path kind ~depth:(depth + 1) fields in
+  let node = { node with name = (if Option.is_some name then name else node.name) } in
+  r.changes <- List.rev_append changes r.changes;
+  Scene.instance r.names { node with name };
+  node
 
 and simple r depth at kind name =
   Scene.opening r.names name;
@@ -316,8 +330,16 @@ let check_header ~path text =
     refuse "the first line says neither `#VRML V2.0 utf8` nor `#X3D V3.0 utf8`"
       ~hint:"write one of them before everything else, if the file is of that format"
 
-let scene ~path text room =
+let file library ~path ~first text =
   check_header ~path text;
-  let r = reader ~path ~room ~units:(Scene_unit.none ()) ~prototypes:[] ~fields:None (tokens text) in
+  reader ~library ~path ~first ~units:(Scene_unit.none ()) ~prototypes:[] ~fields:None (tokens ~first text)
+
+let scene library ~path text =
+  let r = file library ~path ~first:0 text in
   let nodes = contents r 0 in
   { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }
+
+let prototypes library ~path ~start ~depth text =
+  let r = file library ~path ~first:start text in
+  ignore (contents r depth);
+  Scene_library.file ~units:r.units ~own:(own_prototype r) ~elsewhere:(from_file r) r.prototypes

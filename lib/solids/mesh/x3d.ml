@@ -11,9 +11,9 @@ type element = {
 }
 
 type reader = {
+  library : Scene_library.t;
   path : string;
-  text : string;
-  room : int ref;  (* for the bodies of prototypes *)
+  text : X3d_text.t;
   names : Scene.names;
   units : Scene_unit.t;
   mutable routes : Scene.route list;
@@ -30,8 +30,7 @@ and body = { tags : tag list; length : int; known : (string * body Scene.prototy
 
 let attribute tag key = List.find_opt (fun a -> String.equal a.key.text key) tag.attributes
 
-let value r tag key =
-  Option.map (fun a -> Scene.ok (Xml_tags.value ~path:r.path r.text a)) (attribute tag key)
+let value r tag key = Option.map (X3d_text.value r.text) (attribute tag key)
 
 let needed r tag key =
   match value r tag key with
@@ -73,7 +72,7 @@ let fields r tag =
   let own = List.filter (fun a -> not (List.mem a.key.text of_element)) tag.attributes in
   let words a =
     match Scene_table.find tag.name.text with
-    | Read _ -> Scene.ok (Xml_tags.words ~path:r.path r.text a)
+    | Read _ -> X3d_text.words r.text a
     | Still | Left_out | Unread _ -> []
   in
   List.map (fun a -> (a.key, Scene.Words (words a))) own
@@ -96,7 +95,7 @@ let finish r element =
     in
     match attribute tag "USE" with
     | Some a -> (
-        let name = { text = Scene.ok (Xml_tags.value ~path:r.path r.text a); start = fst a.value } in
+        let name = { text = X3d_text.value r.text a; start = fst a.value } in
         let node = Scene.used ~path:r.path r.names name in
         if not (is "ProtoInstance" tag || String.equal node.kind.text tag.name.text) then
           Scene.bad ~path:r.path tag.name "%s is the name of a node %s, and this is a %s" (quote name.text)
@@ -149,7 +148,8 @@ let check_own r (tag : tag) =
       "%s has no attribute %s that is known here" tag.name.text (quote a.key.text)
 
 let stray_text r (tag : tag) =
-  Scene.bad ~path:r.path tag.name "text stands between elements here, where X3D has none: values are attributes"
+  Scene.bad ~path:r.path { tag.name with text = " " }
+    "text stands between elements here, where X3D has none: values are attributes"
 
 (* Scripts and shaders have a text; nothing else has. *)
 let characters r tag =
@@ -237,7 +237,10 @@ let rec contents r ~of_element tags =
         | "ProtoDeclare" -> check_in_scene r tag; go (declare r tag rest)
         | "ExternProtoDeclare" ->
           check_in_scene r tag;
-          r.prototypes <- (needed r tag "name", Elsewhere) :: r.prototypes;
+          let name = needed r tag "name" in
+          let urls = match attribute tag "url" with Some a -> X3d_text.words r.text a | None -> [] in
+          let elsewhere = Scene_library.elsewhere ~path:r.path ~name tag.name urls in
+          r.prototypes <- (name, Elsewhere elsewhere) :: r.prototypes;
           go (after r ~names:[ "field" ] tag rest)
         | "ProtoInstance" -> check_in_scene r tag; go (instance r tag rest)
         | _ when is_text tag -> characters r tag; go rest
@@ -262,11 +265,11 @@ let rec contents r ~of_element tags =
 (* A value: an attribute, or the nodes inside. *)
 and value_of r tag inside =
   match attribute tag "value" with
-  | Some a -> Some (Scene.Words (Scene.ok (Xml_tags.words ~path:r.path r.text a)))
+  | Some a -> Some (Scene.Words (X3d_text.words r.text a))
   | None when inside = [] -> None
   | None ->
     check_depth r tag;
-    Scene.spend ~path:r.path r.room tag.name (List.length inside);
+    Scene.spend ~path:r.path (Scene_library.room r.library) tag.name (List.length inside);
     Some (Nodes (contents r ~of_element:tag.name.text inside))
 
 and declare r tag rest =
@@ -299,16 +302,36 @@ and instance r tag rest =
    | None, (None | Some None) ->
      Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure tag.name.text)
        "no prototype of that name is declared before it"
-   | None, Some (Some Elsewhere) ->
-     Scene.unread ~path:r.path tag.name ~hint:"put the declaration of the prototype into this file"
-       "the prototype is in another file"
    | None, Some (Some Inside) -> Scene.inside ~path:r.path tag.name (Option.value given_name ~default:"")
+   | None, Some (Some (Elsewhere elsewhere)) -> expand r tag inside (from_file r ~depth:r.depth elsewhere)
    | None, Some (Some (Own { fields; body })) ->
-     let prototype = { tag.name with text = Option.value given_name ~default:"" } in
-     expand r tag ~prototype inside fields body);
+     let name = Option.value given_name ~default:"" in
+     expand r tag inside (own_prototype r name fields body));
   rest
 
-and expand r tag ~prototype inside fields body =
+and from_file r ~depth elsewhere =
+  Scene_library.find r.library ~depth ~length:(Scene_unit.length r.units) elsewhere
+
+and own_prototype r prototype fields body =
+  let body ~path (kind : word) ~depth fields =
+    Scene.spend ~path (Scene_library.room r.library) kind body.length;
+    if depth >= Scene.max_depth then
+      Scene.bad ~path kind "nodes are inside of each other more than %d deep" Scene.max_depth;
+    let inner =
+      {
+        r with
+        names = Scene.names (); routes = []; changes = []; prototypes = Scene.within prototype body.known;
+        fields = Some fields;
+        opened = []; depth;
+      }
+    in
+    match contents inner ~of_element:"ProtoBody" body.tags with
+    | node :: _ -> (node, all_changes inner)
+    | [] -> Scene.bad ~path kind "the prototype has no node in its body"
+  in
+  { Scene_library.fields; body }
+
+and expand r tag inside (prototype : Scene_library.prototype) =
   let name = value r tag "DEF" in
   let field ((tag : tag), inside) =
     let start = match attribute tag "name" with Some a -> fst a.value | None -> tag.name.start in
@@ -319,38 +342,35 @@ and expand r tag ~prototype inside fields body =
   let own, values = List.partition (fun (t, _) -> is "IS" t) (elements r tag [ "IS"; "fieldValue" ] inside) in
   let connected = List.concat_map (fun (is, inside) -> connections r is inside) own in
   let values = List.map field values @ connected in
-  let fields = Scene.given ~path:r.path prototype fields values in
-  Scene.spend ~path:r.path r.room tag.name body.length;
-  check_depth r tag;
-  let inner =
-    {
-      r with
-      names = Scene.names (); routes = []; changes = []; prototypes = Scene.within prototype.text body.known;
-      fields = Some fields;
-      opened = [];
-    }
-  in
-  let node =
-    match contents inner ~of_element:"ProtoBody" body.tags with
-    | (node : Scene.node) :: _ -> { node with name = (if Option.is_some name then name else node.name) }
-    | [] -> Scene.bad ~path:r.path tag.name "the prototype has no node in its body"
-  in
-  r.changes <- List.rev_append (all_changes inner) r.changes;
+  let kind = { tag.name with text = Option.value (value r tag "name") ~default:"" } in
+  let fields = Scene.given ~path:r.path kind prototype.fields values in
+  let node, changes = prototype.body ~path:r.path tag.name ~depth:r.depth fields in
+  let node = { node with name = (if Option.is_some name then name else node.name) } in
+  r.changes <- List.rev_append changes r.changes;
   Scene.instance r.names { node with name };
   let usual = Scene_table.usual node.kind.text in
   put r { tag; container = false; name; inside = []; connected = [] }
     (Option.value (value r tag "containerField") ~default:usual)
     node
 
-let scene ~path text room =
+let file library ~path ~first text =
+  let text = { X3d_text.path; text; first } in
   let r =
     {
-      path; text; room; names = Scene.names (); units = Scene_unit.none ();
+      library; path; text; names = Scene.names (); units = Scene_unit.none ();
       routes = []; changes = []; prototypes = []; fields = None;
       opened = []; depth = 0; containers = [];
     }
   in
-  let tags = Scene.ok (Xml_tags.tags ~path text) in
-  Scene.ok (Xml_tags.well_formed ~path text tags);
+  (r, X3d_text.tags text)
+
+let scene library ~path text =
+  let r, tags = file library ~path ~first:0 text in
   let nodes = contents r ~of_element:"" tags in
   { Scene.nodes; changes = all_changes r; length = Scene_unit.length r.units }
+
+let prototypes library ~path ~start ~depth text =
+  let r, tags = file library ~path ~first:start text in
+  r.depth <- depth;
+  ignore (contents r ~of_element:"" tags);
+  Scene_library.file ~units:r.units ~own:(own_prototype r) ~elsewhere:(from_file r) r.prototypes

@@ -2,11 +2,12 @@
 
    fuzz COUNT FILE...     each of the files, damaged COUNT times
 
-   The ending of its name is the format: those that scc shape and scc inflate read, and `.model` for the model of a
-   3MF package, which is packed after it was damaged. Half of the damaged PNG files get the checksums of their
-   chunks anew. Each file is read, or is refused with a code, within ten
-   seconds of the processor; the heap stays below two gigabytes. The program prints what came of the files and how
-   long the slowest took. Its exit code is 1 if a file raised an exception or took longer. *)
+   The ending of its name is the format: those that scc shape and scc inflate read, and `.model` for the model of
+   a 3MF package, which is packed after it was damaged. Half of the damaged PNG files get the checksums of their
+   chunks anew. What a mesh names is read beside FILE, every other time damaged too. Each file is read, or is
+   refused with a code at a place that is in the file it names, within ten seconds of the processor; the heap
+   stays below two gigabytes. The program prints what came of the files and how long the slowest took. Its exit
+   code is 1 if a file raised an exception or took longer. *)
 open Scc_base
 
 let seconds = 10.
@@ -96,11 +97,38 @@ let packed parts =
   u16 out 0;
   Buffer.contents out
 
+let contents path =
+  let file = open_in_bin path in
+  Fun.protect ~finally:(fun () -> close_in file) (fun () -> really_input_string file (in_channel_length file))
+
+(* The files beside it, by what was read of them. *)
+let beside read path =
+  match List.assoc_opt path !read with
+  | Some text -> Ok text
+  | None -> (
+      match contents path with
+      | text ->
+        let text = if Random.State.bool state then damaged 1 text else text in
+        read := (path, text) :: !read;
+        Ok text
+      | exception Sys_error why -> Error why)
+
+exception No_place of string
+
+let in_its_file read (d : Diag.t) =
+  let s = d.span in
+  match List.assoc_opt s.file read with
+  | Some text when s.start >= 0 && s.stop <= String.length text + 1 -> ()
+  | _ -> raise (No_place (Printf.sprintf "%s: %s from %d to %d" d.code s.file s.start s.stop))
+
 let mesh path text =
-  match Scc_mesh.Mesh.read ~files:Scc_mesh.Beside.none ~path text with
+  let read = ref [ (path, text) ] in
+  let found = Scc_mesh.Mesh.read ~files:(beside read) ~path text in
+  List.iter (in_its_file !read) (match found with Ok (_, warnings) -> warnings | Error d -> [ d ]);
+  match found with
   | Ok (_, []) -> "read"
   | Ok (_, _ :: _) -> "read with a warning"
-  | Error d -> "refused, " ^ d.Diag.code
+  | Error d -> "refused, " ^ d.code
 
 let drawing path text =
   match Scc_pixels.Icon.read ~resolution:32 ~path text with
@@ -154,9 +182,7 @@ let fault path text why =
     Printf.printf "FAULT: %s: %s (kept as %s)\n%!" path why kept)
 
 let check count path =
-  let file = open_in_bin path in
-  let seed = really_input_string file (in_channel_length file) in
-  close_in file;
+  let seed = contents path in
   let found = Hashtbl.create 10 in
   slowest := 0.;
   for _ = 1 to count do

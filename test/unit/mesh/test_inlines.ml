@@ -6,6 +6,13 @@ let head = "#VRML V2.0 utf8\n"
 let shape = "Shape { geometry Box { } }"
 let inline url = Printf.sprintf "Inline { url \"%s\" }" url
 
+(* Prototypes of a box with its size, and some in other files. *)
+let brick = "PROTO Brick [ field SFVec3f s 2 2 2 eventIn SFTime go ] { Shape { geometry Box { size IS s } } }\n"
+let extern name url = Printf.sprintf "EXTERNPROTO %s [ field SFVec3f s ] [ \"%s\" ]\n" name url
+
+let extern_xml name url =
+  Printf.sprintf "<ExternProtoDeclare name='%s' url='\"%s\"'><field name='s'/></ExternProtoDeclare>" name url
+
 (* What is beside the scene that is read. *)
 let files =
   [
@@ -21,6 +28,29 @@ let files =
        url='cm.x3dv'/></Scene></X3D>" );
     ("km.x3dv", "#X3D V3.3 utf8\nUNIT length km 1000\nUNIT mass t 1000\n" ^ inline "mm.x3d");
     ("round.wrl", head ^ "Shape { geometry Sphere { } }");
+    ("protos.wrl", head ^ brick ^ "PROTO Half [ ] { Brick { s 1 1 1 } }\nBrick { s 8 8 8 }");
+    ( "protos.x3d",
+      "<Scene><ProtoDeclare name='Brick'><ProtoInterface><field name='s' type='SFVec3f' value='2 2 2'/>\
+       </ProtoInterface><ProtoBody><Shape><Box><IS><connect nodeField='size' protoField='s'/></IS></Box></Shape>\
+       </ProtoBody></ProtoDeclare></Scene>" );
+    ("sub/lib.wrl", head ^ "PROTO In [ field MFString u \"in.wrl\" ] { " ^ "Inline { url IS u } }");
+    ("again.wrl", head ^ extern "X" "protos.wrl#Half");
+    ("again.x3d", "<Scene>" ^ extern_xml "Y" "protos.x3d#Brick" ^ "</Scene>");
+    ("ring.wrl", head ^ extern "A" "chain.wrl#B"); ("chain.wrl", head ^ extern "B" "ring.wrl#A");
+    ("needs.wrl", head ^ extern "A" "need.wrl#B" ^ "PROTO C [ ] { A { } } A { }");
+    ("need.wrl", head ^ extern "C" "needs.wrl#C" ^ "PROTO B [ ] { C { } } C { }");
+    ("mutual.wrl", head ^ extern "A" "mutual2.wrl" ^ "PROTO C [ ] { A { } }");
+    ("mutual2.wrl", head ^ "PROTO B [ ] { C { } }" ^ extern "C" "mutual.wrl#C");
+    ("mutual3.wrl", head ^ extern "A" "mutual4.wrl" ^ "PROTO C [ ] { A { } }");
+    ("mutual4.wrl", head ^ extern "C" "mutual3.wrl#C" ^ "PROTO B [ ] { C { } }");
+    ("short.wrl", head ^ "PROTO S [ ] { Shape { geometry Box { size 1 } } }");
+    ("short.x3d", "<Scene><ProtoDeclare name='S'><ProtoBody>\n<Shape><Box size='1'/></Shape></ProtoBody>\
+                   </ProtoDeclare></Scene>");
+    ("late.x3d", "<Scene><ProtoDeclare name='S'><ProtoBody>\n<Shape><Box/></Shape></ProtoBody></Scene>");
+    ( "entity.x3d",
+      "<Scene><ProtoDeclare name='S'><ProtoBody>\n<Box size='&no;'/></ProtoBody></ProtoDeclare></Scene>" );
+    ("balls.wrl", head ^ "PROTO S [ ] { Shape { geometry Sphere { } } }");
+    ("mm.x3dv", "#X3D V3.3 utf8\nUNIT length mm 0.001\n" ^ brick);
   ]
 
 let file path = Option.to_result ~none:"it is not there" (List.assoc_opt path files)
@@ -37,6 +67,48 @@ let told path text =
         Printf.sprintf "%d faces from %s%s" (Array.length set.ifs_faces) (Scc_exact.Rat.to_string least)
           (String.concat "" spans))
   | Error d -> Printf.sprintf "%s in %s" d.code d.span.file
+
+(* [A] is the prototype that the other file has. *)
+let of_other url rest = extern "A" url ^ rest
+
+let prototypes =
+  [
+    ("a default", of_other "protos.wrl" "A { }", "6 faces from -1");
+    ("a value", of_other "protos.wrl#Brick" "A { s 4 6 6 }", "6 faces from -2");
+    ("the second", of_other "protos.wrl#Half" "A { }", "6 faces from -1/2");
+    ( "the second address", of_other "http://a.example/b.wrl#Brick\" \"protos.wrl#Brick" "A { }",
+      "6 faces from -1" );
+    ("twice", of_other "protos.wrl#Brick" "A { } A { s 4 4 4 }", "12 faces from -2");
+    ("in the other notation", of_other "protos.x3d#Brick" "A { s 4 4 4 }", "6 faces from -2");
+    ("in the body of another", of_other "protos.wrl" "PROTO B [ ] { A { s 6 6 6 } } B { }", "6 faces from -3");
+    ("not used", of_other "none.wrl" shape, "6 faces from -1");
+    ("in a third file", of_other "again.wrl#X" "A { }", "6 faces from -1/2");
+    ("in a third file, the first", of_other "again.wrl" "A { }", "6 faces from -1/2");
+    ("in a third file, of X3D", of_other "again.x3d" "A { s 4 4 4 }", "6 faces from -2");
+    ("its own Inline", of_other "sub/lib.wrl" "A { }", "6 faces from -1");
+    ("an Inline that is given", of_other "sub/lib.wrl" "A { u \"box.wrl\" }", "6 faces from -1");
+    ("an Inline that is not there", of_other "sub/lib.wrl" "A { u \"in.wrl\" }", "SC0321 in t.wrl");
+    ("files that use each other", of_other "needs.wrl#C" "A { }", "SC0321 in need.wrl");
+    ("one that leads to itself", of_other "ring.wrl#A" "A { }", "SC0321 in chain.wrl");
+    ("a body in itself", of_other "mutual.wrl#C" "A { }", "SC0321 in mutual2.wrl");
+    ("a body in itself, declared", of_other "mutual3.wrl#C" "A { }", "SC0320 in mutual3.wrl");
+    ("no file", of_other "none.wrl" "A { }", "SC0321 in t.wrl");
+    ("above", of_other "../protos.wrl" "A { }", "SC0321 in t.wrl");
+    ("no address", "EXTERNPROTO A [ ] [ ] A { }", "SC0321 in t.wrl");
+    ("another name", of_other "protos.wrl#No" "A { }", "SC0321 in t.wrl");
+    ("none in it", of_other "box.wrl" "A { }", "SC0321 in t.wrl");
+    ("no scene", of_other "no.wrl" "A { }", "SC0321 in no.wrl");
+    ("an unknown field", of_other "protos.wrl" "A { t 1 }", "SC0321 in t.wrl");
+    ("an event", of_other "protos.wrl" "A { go 1 }", "SC0321 in t.wrl");
+    ("a fault in a value", of_other "protos.wrl" "A { s 1 }", "SC0320 in protos.wrl");
+    ("a fault in its body", of_other "short.wrl" "A { }", "SC0320 in short.wrl");
+    ("a fault in its body, X3D", of_other "short.x3d" "A { }", "SC0320 in short.x3d");
+    ("a fault of its tags", of_other "late.x3d" "A { }", "SC0320 in late.x3d");
+    ("a fault of an entity", of_other "entity.x3d" "A { }", "SC0320 in entity.x3d");
+    ("nearly", of_other "balls.wrl" "A { }", "SC0323 in balls.wrl");
+    ("in another unit", of_other "mm.x3dv" "A { }", "SC0321 in t.wrl");
+    ("in the same unit", "UNIT length mm 0.001 " ^ of_other "mm.x3dv" "A { }", "6 faces from -1");
+  ]
 
 let cases =
   [
@@ -73,14 +145,44 @@ let cases =
     ("empty", inline "empty.wrl" ^ shape, "6 faces from -1"); ("no url", "Inline { }" ^ shape, "6 faces from -1");
   ]
 
-let check (what, body, expected) =
+let check_in path head (what, body, expected) =
   let test () =
-    let found = told "t.wrl" (head ^ body) in
+    let found = told path (head ^ body) in
     let n = String.length expected in
     let ends = String.length found >= n && String.sub found (String.length found - n) n = expected in
     Alcotest.(check string) what expected (if ends then expected else found)
   in
   Alcotest.test_case what `Quick test
+
+let check = check_in "t.wrl" head
+
+(* The same from X3D in XML. *)
+let xml_cases =
+  let use url rest = extern_xml "A" url ^ rest in
+  let instance = "<ProtoInstance name='A'/>" in
+  [
+    ("a default", use "protos.x3d" instance, "6 faces from -1");
+    ( "a value",
+      use "protos.x3d#Brick" "<ProtoInstance name='A'><fieldValue name='s' value='4 4 4'/></ProtoInstance>",
+      "6 faces from -2" );
+    ("in the other notation", use "protos.wrl#Half" instance, "6 faces from -1/2");
+    ("a fault in its body", use "short.x3d" instance, "SC0320 in short.x3d");
+    ("no file", use "none.x3d" instance, "SC0321 in t.x3d");
+    ("no address", "<ExternProtoDeclare name='A'/>" ^ instance, "SC0321 in t.x3d");
+    ("a body in itself", use "mutual3.wrl#C" instance, "SC0320 in mutual3.wrl");
+  ]
+
+let check_xml (what, body, expected) = check_in "t.x3d" "" (what, "<Scene>" ^ body ^ "</Scene>", expected)
+
+(* A place in another file is that of the word there. *)
+let place () =
+  let at name =
+    let lib = List.assoc name files in
+    match Mesh.read ~files:file ~path:"t.wrl" (head ^ of_other name "A { }") with
+    | Error d -> String.sub lib d.span.start (d.span.stop - d.span.start)
+    | Ok _ -> "it is read"
+  in
+  Alcotest.(check (list string)) "words" [ "size"; "size" ] [ at "short.wrl"; at "short.x3d" ]
 
 (* Files that double each other, ten levels of ten: refused, and soon. *)
 let doubling () =
@@ -94,5 +196,27 @@ let doubling () =
   | Error d -> Alcotest.(check string) "refused" "SC0320" d.code
   | Ok _ -> Alcotest.fail "it is read"
 
+(* Files of prototypes that need each other inside of deep nodes: the depth of all together is bounded. *)
+let deep () =
+  let again n text = String.concat "" (List.init n (fun _ -> text)) in
+  let nested k =
+    extern "A" (Printf.sprintf "%d.wrl" (k + 1)) ^ "PROTO P [ ] { " ^ shape ^ " }"
+    ^ again 900 "Group { children " ^ "A { }" ^ again 900 "}"
+  in
+  let files path =
+    match int_of_string_opt (Filename.chop_extension path) with
+    | Some k when k < 10 -> Ok (head ^ nested k)
+    | Some _ | None -> Ok (head ^ "PROTO P [ ] { " ^ shape ^ " }")
+  in
+  match Mesh.read ~files ~path:"0.wrl" (head ^ nested 0) with
+  | Error d -> Alcotest.(check string) "refused" "SC0320 in 1.wrl" (d.code ^ " in " ^ d.span.file)
+  | Ok _ -> Alcotest.fail "it is read"
+
 let suite =
-  ("inlines", [ ("files", List.map check cases); ("many", [ Alcotest.test_case "doubling" `Quick doubling ]) ])
+  ("inlines",
+   [
+     ("files", List.map check cases); ("prototypes", List.map check prototypes);
+     ("prototypes of X3D", List.map check_xml xml_cases);
+     ("place", [ Alcotest.test_case "in another file" `Quick place ]);
+     ("many", [ Alcotest.test_case "doubling" `Quick doubling; Alcotest.test_case "deep" `Quick deep ]);
+   ])

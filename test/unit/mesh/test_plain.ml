@@ -1,5 +1,5 @@
-(* What OFF, OBJ, PLY and STL may have in a file: each is read, changes nothing, is left out with a warning, or is
-   refused at its place. *)
+(* What OFF, OBJ, PLY, STL and XYZ may have in a file: each is read, changes nothing, is left out with a warning,
+   or is refused at its place. *)
 open Scc_base
 open Scc_mesh
 
@@ -281,10 +281,42 @@ let stls =
     ("fewer triangles than promised", stl_binary ~count:5 (), "SC0320 1:1");
   ]
 
+(* {1 XYZ} *)
+
+let xyz_lines ?(head = "") ?(rest = "") ?(more = "") () =
+  head ^ lines (List.map (fun v -> v ^ rest) corners) ^ more
+
+let xyzs =
+  let cloud = "(0, 0, 0) (5/4, 1, 2) no solid" in
+  [
+    ("points", xyz_lines (), cloud); ("colours", xyz_lines ~rest:" 255 0 0" (), cloud);
+    ("normals", xyz_lines ~rest:" 0 0 -1" (), cloud); ("a strength", xyz_lines ~rest:" .5" (), cloud);
+    ("words", xyz_lines ~rest:" a tree" (), cloud);
+    ("not finite, after a point", xyz_lines ~rest:" nan" (), cloud);
+    ("comments", xyz_lines ~head:"# a scan\n" ~rest:" # a point" (), cloud);
+    ("empty lines", xyz_lines ~head:"\n\n" ~more:"\n" (), cloud); ("a count", xyz_lines ~head:"4\n" (), cloud);
+    ("a count, and an empty line", xyz_lines ~head:"4\n\n" (), cloud);
+    ("a wrong count", xyz_lines ~head:"5\n" (), "SC0320 1:1");
+    ("a count twice", xyz_lines ~head:"4\n4\n" (), "SC0320 2:1");
+    ("a head of words", xyz_lines ~head:"x y z\n" (), "SC0320 1:1");
+    ("a head after a count", xyz_lines ~head:"4\nX Y Z\n" (), "SC0320 2:1");
+    ("atoms", xyz_lines ~more:"C 0 0 0\n" (), "SC0320 5:1");
+    ("atoms, with their number", "1\nwater\nO 0 0 0\n", "SC0320 1:1");
+    ("two coordinates", xyz_lines ~more:"1 2\n" (), "SC0320 5:1");
+    ("commas", xyz_lines ~more:"1,2,3\n" (), "SC0320 5:1");
+    ("semicolons", xyz_lines ~more:"1;2;3\n" (), "SC0320 5:1");
+    ("hexadecimal", xyz_lines ~more:"0x1 0 0\n" (), "SC0320 5:1");
+    ("not finite", xyz_lines ~more:"nan 0 0\n" (), "SC0320 5:1");
+    ("infinite", xyz_lines ~more:"0 inf 0\n" (), "SC0320 5:3");
+    ("a point above 10^1000", xyz_lines ~more:"1e2000 0 0\n" (), "SC0320 5:1");
+    ("faces", xyz_lines ~more:"f 1 2 3\n" (), "SC0320 5:1"); ("nothing", "", "SC0320 1:1");
+  ]
+
 let suite =
   ( "plain",
     [
       ("OFF", List.map (case "t.off") offs);
       ("OBJ", Alcotest.test_case "the table" `Quick all_statements :: List.map (case "t.obj") (statements @ objs));
       ("PLY", List.map (case "t.ply") (types @ plys)); ("STL", List.map (case "t.stl") stls);
+      ("XYZ", List.map (case "t.xyz") xyzs);
     ] )
