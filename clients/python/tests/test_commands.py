@@ -374,7 +374,7 @@ class Interruptions(Commands):
 
     def interrupted(self, function, *arguments, **options):
         """The result of a call that SIGINT interrupts once scc has worked for 0.2 seconds. It starts in less, and writes
-        thousands of steps in a second, of which the client makes objects for minutes."""
+        thousands of steps in a second."""
 
         before = used_below()
 
@@ -401,6 +401,11 @@ class Interruptions(Commands):
         run = self.interrupted(trace, LONG, steps=10**8, states="ends")
         self.assertEqual((run.interrupted, run.ending), (True, "interrupted"))
         self.assertTrue(run.steps)
+        # Objects of a long trace are made when they are looked at, so that Ctrl-C is answered before.
+        run = self.interrupted(trace, LONG, steps=10**8)
+        self.assertEqual((run.ending, run.time > 0, len(repr(run)) < 200), ("interrupted", True, True))
+        self.assertFalse({"lines", "steps"} & set(vars(run)))
+        self.assertEqual(run.time, run.steps[-1].time)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
     def test_twice(self):
