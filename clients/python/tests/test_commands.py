@@ -342,6 +342,17 @@ class Errors(Commands):
         with self.assertRaises(CommandFailed) as caught:
             simulate(WALK, runs=1, observe="x(p)", every=1, until=1, output=self.path("no/where"))
         self.assertEqual((caught.exception.exit_code, caught.exception.code), (74, "SC0103"))
+        # A file beside the result: what was found is there.
+        away = self.path("no/where.svg")
+        grid = {"runs": 1, "observe": "x(p)", "every": 1, "until": 1}
+        for ask in (lambda: check(WALK, witness=away), lambda: check(WALK, sarif=away), lambda: check(os.path.join(MODELS, "meeting.sc"), smt=away),
+                    lambda: simulate(WALK, plot=away, **grid), lambda: sweep(WALK + "param a = 1\n", {"a": [1]}, plot=away)):
+            with self.assertRaises(CommandFailed) as caught:
+                ask()
+            again = pickle.loads(pickle.dumps(caught.exception))
+            for failed in (caught.exception, again):
+                self.assertEqual((failed.exit_code, failed.code), (74, "SC0103"))
+                self.assertEqual(failed.result.run.exit_code, 74)
 
     def test_no_program(self):
         with self.assertRaisesRegex(ServiceError, "cannot start"):
