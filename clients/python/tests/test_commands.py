@@ -345,8 +345,9 @@ class Errors(Commands):
         # A file beside the result: what was found is there.
         away = self.path("no/where.svg")
         grid = {"runs": 1, "observe": "x(p)", "every": 1, "until": 1}
-        for ask in (lambda: check(WALK, witness=away), lambda: check(WALK, sarif=away), lambda: check(os.path.join(MODELS, "meeting.sc"), smt=away),
-                    lambda: simulate(WALK, plot=away, **grid), lambda: sweep(WALK + "param a = 1\n", {"a": [1]}, plot=away)):
+        meeting, swept = os.path.join(MODELS, "meeting.sc"), WALK + "param a = 1\n"
+        for ask in (lambda: check(WALK, witness=away), lambda: check(WALK, sarif=away), lambda: check(meeting, smt=away),
+                    lambda: simulate(WALK, plot=away, **grid), lambda: sweep(swept, {"a": [1, 2]}, plot=away)):
             with self.assertRaises(CommandFailed) as caught:
                 ask()
             again = pickle.loads(pickle.dumps(caught.exception))
