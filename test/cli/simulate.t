@@ -216,7 +216,7 @@ The draws and lots of one instant are one of the transitions of --steps: here a 
 An observable with the name of a column has its own column in round brackets, as a parameter of a sweep has:
 
   $ printf 'import <solids>\nparam run = 7\nparam ended = 8\nprocess p = solids.Cube(1) mass 1 [nil]\n' > names.sc
-  $ scc simulate names.sc --observe time --observe run --observe ended --every 1/2 --until 1 --runs 1
+  $ scc simulate names.sc --observe time --observe run --observe ended --every 1/2 --until 1 --runs 1 2> /dev/null
   run,time,(time),(run),(ended),ended
   0,0,0,7,8,
   0,1/2,1/2,7,8,
