@@ -98,17 +98,23 @@ let of_text () =
 
 let show_problems = function
   | Ok _ -> print_endline "accepted"
-  | Error problems -> List.iter (fun (p : Scc_library.problem) -> Printf.printf "%s: %s\n" p.code p.message) problems
+  | Error problems ->
+    List.iter (fun (p : Scc_library.problem) -> Printf.printf "%s: %s\n" p.code p.message) problems
 
 (* What is no value, no bound and no file is refused in words. *)
 let refused () =
   print_endline "== refused";
-  let text = "import <solids>\nparam far = 3\nprocess cube = solids.Cube(far) mass 1 [nil]\ncheck c : always x(cube) < far\n" in
+  let text =
+    "import <solids>\nparam far = 3\nprocess cube = solids.Cube(far) mass 1 [nil]\n\
+     check c : always x(cube) < far\n"
+  in
   List.iter
     (fun value -> show_problems (Scc_library.load ~set:[ ("far", value) ] text))
     [ Q.inf; Q.minus_inf; Q.undef; { Q.num = Z.zero; den = Z.zero } ];
-  let lowest value = (good (Scc_library.initial (good (Scc_library.load ~set:[ ("far", value) ] text)))) in
-  Printf.printf "in its lowest terms: %b\n" (Scc_library.equal (lowest Q.one) (lowest { Q.num = Z.of_int (-3); den = Z.of_int (-3) }));
+  let start value = good (Scc_library.initial (good (Scc_library.load ~set:[ ("far", value) ] text))) in
+  let three = Z.of_int (-3) in
+  let same = Scc_library.equal (start Q.one) (start { Q.num = three; den = three }) in
+  Printf.printf "in its lowest terms: %b\n" same;
   let model = good (Scc_library.load text) in
   show_problems (Scc_library.check ~states:(-1) model);
   show_problems (Scc_library.check ~depth:(-1) model);

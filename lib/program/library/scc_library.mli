@@ -37,8 +37,8 @@ val load :
   (model, problem list) result
 (** [load text] reads the text of a model. [read] returns the content of a file that the model imports or takes a
     shape from, by its path as written there, or says why it cannot; by default it refuses all. [set] gives
-    parameters their values; [Q.inf] and [Q.undef] are refused (SC0208). [name] is the file that problems name, by default ["<model>"]; its ending selects the
-    notation ([.sc], [.xml], [.osc]). *)
+    parameters their values; [Q.inf] and [Q.undef] are refused (SC0208). [name] is the file that problems name, by
+    default ["<model>"]; its ending selects the notation ([.sc], [.xml], [.osc]). *)
 
 val load_file : ?set:(string * Q.t) list -> string -> (model, problem list) result
 (** [load_file path] reads a model from a file, and the files that it names from the folder of that file. *)
