@@ -6,7 +6,8 @@ type offer = Offers.offer = { name : string; kind : string; form : string option
 (* {1 What fits} *)
 
 (* Words of declarations, which no formula has. *)
-let declaring = List.filter (fun w -> w <> "bonds" && w <> "for") beginning @ List.filter (fun w -> w <> "at") attributes
+let declaring =
+  List.filter (fun word -> not (List.mem word [ "bonds"; "for"; "at" ])) (List.append beginning attributes)
 
 let formula t =
   bodies t @ values t
