@@ -445,10 +445,12 @@ class Interruptions(Commands):
     def test_progress(self):
         lines = []
         simulate(WALK, runs=2000, observe="x(p)", every=1, until=100, progress=lines.append)
-        self.assertRegex(lines[0], "^[0-9]+ of 2000 runs$")
+        self.assertEqual(lines[:2], ["reading the model", "0 of 2000 runs"])
+        self.assertRegex(lines[2], "^[0-9]+ of 2000 runs$")
         del lines[:]
         check(LONG.replace("check far", "// "), states=100000, jobs=1, progress=lines.append)
-        self.assertRegex(lines[0], "^[0-9]+ states ")
+        self.assertEqual(lines[:2], ["reading the model", "beginning to explore"])
+        self.assertRegex(lines[2], "^[0-9]+ states ")
 
 
 class Readme(Commands):
