@@ -382,7 +382,7 @@ def long_work(served, endless):
     """A check that does not end: it tells how far it is, and ends with what it has."""
     _, answer = served.post('open', {'text': endless, 'check': 'all'})
     name, progress, since = answer['document'], None, time.monotonic()
-    while progress is None and time.monotonic() - since < HANG:
+    while 'states' not in (progress or '') and time.monotonic() - since < HANG:
         _, told = served.post(f'view/{name}/status', {})
         if told['state'] != 'working':
             break
