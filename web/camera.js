@@ -10,7 +10,7 @@ class Camera {
   constructor() {
     /** Its own directions right, up and back, and its place, in the world. */
     this.world = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-    /** From the world to clip space. */
+    /** From the world to clip space, in which what is as near as can be has the depth 1, however large or small the world is. */
     this.clip = this.world;
     this.parallel = false;
     /** Half of the picture, at distance 1 or anywhere. */
@@ -43,7 +43,8 @@ class Camera {
     // The way back from its own directions: these are orthonormal.
     const view = [0, 1, 2].flatMap((i) => [axes[0][i], axes[1][i], axes[2][i], 0]);
     const at = w.slice(12, 15), away = axes.map((a) => -(a[0] * at[0] + a[1] * at[1] + a[2] * at[2]));
-    this.clip = Camera.product(lens, [...view, ...away, 1]);
+    const unit = parallel ? 1 : near;
+    this.clip = Camera.product(lens, [...view, ...away, 1]).map((x) => x / unit);
   }
 
   /**

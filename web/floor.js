@@ -107,28 +107,44 @@ class Floor {
     this.thing.visible = shown;
   }
 
+  /** Powers of ten beyond these are written as such: a grid of a large or small step has no room for its zeros. */
+  static digits = 6;
+
   /**
-   * A multiple of the step, as a decimal.
-   * @param {bigint} n
+   * A multiple of the step, in few letters, and in others than those beside it: as a decimal, or with a power of ten.
+   * @param {bigint} n @param {boolean} [whole] with all its digits, if they are not too many
    */
-  decimal(n) {
+  decimal(n, whole) {
+    const most = whole ? 24 : Floor.digits;
     const digits = n * BigInt(this.lead), size = digits < 0n ? -digits : digits;
-    const sign = digits < 0n ? "\u2212" : "";
-    if (this.power >= 0) {
-      const text = size === 0n ? "0" : String(size) + "0".repeat(this.power);
-      return sign + Floor.#short(text);
-    }
-    const text = String(size).padStart(1 - this.power, "0"), point = text.length + this.power;
-    const whole = text.slice(0, point), part = text.slice(point).replace(/0+$/, "");
-    return sign + Floor.#short(whole) + (part ? "." + part : "");
+    const sign = digits < 0n ? "\u2212" : "", { power } = this;
+    if (size === 0n) return "0";
+    if (Math.abs(power) > Floor.digits) return sign + Floor.#scientific(String(size), power, most);
+    if (power >= 0) return sign + Floor.#short(String(size) + "0".repeat(power), most + power);
+    const text = String(size).padStart(1 - power, "0"), point = text.length + power;
+    const part = text.slice(point).replace(/0+$/, "");
+    return sign + Floor.#short(text.slice(0, point), most) + (part ? "." + part : "");
   }
 
   /**
    * Of a long number its last digits, which tell it from those beside it.
-   * @param {string} digits
+   * @param {string} digits @param {number} most that are shown
    */
-  static #short(digits) {
-    return digits.length > 9 ? "…" + digits.slice(-6) : digits;
+  static #short(digits, most) {
+    return digits.length > most + 3 ? "…" + digits.slice(-most) : digits;
+  }
+
+  /**
+   * With one digit before the point, or with the last ones of many.
+   * @param {string} digits @param {number} power of ten that they count @param {number} most that are shown
+   */
+  static #scientific(digits, power, most) {
+    const many = digits.length > most + 3;
+    const shown = many ? digits.slice(-most) : digits.replace(/0+$/, "");
+    const raised = many ? power : power + digits.length - 1;
+    const high = String(raised).replace(/./g, (sign) => (sign === "-" ? "\u207b" : "⁰¹²³⁴⁵⁶⁷⁸⁹"[Number(sign)]));
+    const first = many ? "…" + shown : shown.length > 1 ? `${shown[0]}.${shown.slice(1)}` : shown;
+    return raised === 0 ? first : `${first}·10${high}`;
   }
 
   /**
@@ -177,9 +193,8 @@ class Floor {
       }) || 20n;
       const kept = there.filter((e) => e.n % stride === 0n);
       kept.forEach((e, i) => {
-        const text = this.decimal(e.n);
-        const of = this.upright.floor[axis];
-        found.push({ text: i === kept.length >> 1 ? `${"xyz"[of]} = ${text}` : text, axis: of, x: e.x, y: e.y });
+        const of = this.upright.floor[axis], middle = i === kept.length >> 1;
+        found.push({ text: middle ? `${"xyz"[of]} = ${this.decimal(e.n, true)}` : this.decimal(e.n), axis: of, x: e.x, y: e.y });
       });
     }
     return found;

@@ -91,14 +91,16 @@ class Marks {
     let said = 0;
     for (const { shown, x, y } of places.slice(0, 1000)) {
       if (said >= 250) break;
-      if (overlay.word(this.scene.bodies.leaves[shown.leaf].name, x, y, { ...style, force: shown === chosen })) said++;
+      const { name } = this.scene.bodies.leaves[shown.leaf], beside = shown === chosen ? [0, 16, -16, 32, -32] : [0];
+      if (beside.some((by) => overlay.word(name, x, y + by, style)) || (shown === chosen && overlay.word(name, x, y, { ...style, force: true }))) said++;
+      const small = { ...style, size: 11, color: Colors.css(bodies.colors.made), within: true };
       for (const { leaf, text } of changed)
-        if (leaf === shown.leaf)
-          [14, -14, 28].some((by) => overlay.word(text, x, y + by, { ...style, size: 11, color: Colors.css(bodies.colors.made) }));
+        if (leaf === shown.leaf) [16, -16, 32].some((by) => overlay.word(text, x, y + by, small));
     }
     for (const { text, at: place, color } of this.scene.ghosts.words) {
       const p = project(place);
-      if (p.seen) [0, 14, -14, 28].some((by) => overlay.word(text, p.x, p.y + by, { ...style, size: 11, color: Colors.css(color) }));
+      const small = { ...style, size: 11, color: Colors.css(color), within: true };
+      if (p.seen) [0, 16, -16, 32].some((by) => overlay.word(text, p.x, p.y + by, small));
     }
     if (options.grid) {
       const { x, y, z } = bodies.colors;

@@ -4,7 +4,8 @@
  * What numbers and formulas about a state mean, over exact fractions: rule by rule what `scc` evaluates, of what the page's
  * data has. A value that does not exist is a {@link Nothing}, with the reason.
  *
- * @typedef {{ process: DataProcess, place: DataPlace, body: Moving }} Seat  A leaf in its process.
+ * @typedef {{ process: DataProcess, place: DataPlace, body: Moving, centroid?: Rational[], velocity?: Rational[] }} Seat  A leaf
+ *   in its process; what is known of it at this instant.
  * @typedef {{ data: PageData, leaves: DataLeaf[], state: number, time: Rational | null, bodies: Moving[],
  *   seats: Map<number, Seat> }} View  A state, some time after it was reached; without a time where several runs lead to it.
  * @typedef {Rational | boolean | Nothing} Value
@@ -59,7 +60,12 @@ const Meaning = (() => {
     Rational.sub(Rational.mul(a[(i + 1) % 3], b[(i + 2) % 3]), Rational.mul(a[(i + 2) % 3], b[(i + 1) % 3])));
 
   /** @param {View} of @param {number} leaf @param {Seat} seat the centroid of its shape */
-  function centroid({ leaves }, leaf, { body, place }) {
+  function centroid(of, leaf, seat) {
+    return (seat.centroid ??= centred(of, leaf, seat));
+  }
+
+  /** @param {View} of @param {number} leaf @param {Seat} seat */
+  function centred({ leaves }, leaf, { body, place }) {
     const motion = Course.motion(body, place), at = Motion.position(motion, body.age), turn = Motion.orientation(motion, body.age);
     const arm = exact(leaves[leaf].centroid);
     const rows = [0, 1, 2].map((i) => [0, 1, 2].reduce(
@@ -69,6 +75,11 @@ const Meaning = (() => {
 
   /** @param {View} of @param {number} leaf @param {Seat} seat of its centroid: v + w × r */
   function velocity(of, leaf, seat) {
+    return (seat.velocity ??= moved(of, leaf, seat));
+  }
+
+  /** @param {View} of @param {number} leaf @param {Seat} seat */
+  function moved(of, leaf, seat) {
     const { velocity, turn } = seat.process, own = exact(velocity);
     if (!turn) return own;
     const centre = plus(exact(turn.centre), scaled(seat.body.age, own));

@@ -65,7 +65,7 @@ class Overlay {
     const wide = pen.measureText(said).width;
     let left = align === "center" ? x - wide / 2 : align === "right" ? x - wide : x;
     if (style.within) left = Math.max(4, Math.min(this.width - wide - 4, left));
-    const room = [left - 2, y - size / 2 - 1, left + wide + 2, y + size / 2 + 1];
+    const room = [left - 3, y - size / 2 - 2, left + wide + 3, y + size / 2 + 2];
     if (room[2] < 0 || room[0] > this.width || room[3] < 0 || room[1] > this.height) return false;
     const meets = (/** @type {number[]} */ t) => t[0] < room[2] && room[0] < t[2] && t[1] < room[3] && room[1] < t[3];
     if (!force && this.taken.some(meets)) return false;

@@ -239,7 +239,7 @@ class Scene {
     this.gl.size(width, height, this.frame.ratio);
     const { orbit } = this;
     Kind.shared.size.value = [width, height];
-    Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
+    Kind.shared.near.value = orbit.parallel ? 0 : 1;
     Kind.shared.up.value = orbit.way(0, 1, 0);
     Kind.shared.light.value = orbit.way(0.33, 0.8, 0.5);
     const eye = orbit.direction;

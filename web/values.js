@@ -152,10 +152,7 @@ const Values = (() => {
       // Of very many legs, some.
       const every = Math.max(1, Math.ceil((last - low + 1) / (slow ? fewer : most)));
       const all = samples(player, plot, { from, to, width, every, low, last });
-      if (slow) return slowly(player, plot, JSON.stringify([player.run.index, player.run.way, legs, from, to, width]), all, add, strokes, () => stroke);
-      for (const [time, value] of all) add(time, value);
-      end();
-      return strokes;
+      return slowly(plot, JSON.stringify([player.run.index, player.run.way, legs, from, to, width]), all, add, strokes, () => stroke);
     }
     for (let k = low; k <= legs && instants[k] <= to; k++) {
       const { of, since } = piece(player, k, plot);
@@ -228,37 +225,42 @@ const Values = (() => {
   }
 
   /**
-   * What is known so far of a drawing that takes long; the page goes on meanwhile.
-   * @param {Player} player @param {number} plot @param {string} key what it is of @param {Generator<[number, number]>} all
+   * Takes what comes within the time of a piece. True when nothing is left.
+   * @param {Generator<[number, number]>} all @param {(time: number, value: number) => void} add
+   */
+  function some(all, add) {
+    const began = performance.now();
+    do {
+      const next = all.next();
+      if (next.done) return true;
+      add(...next.value);
+    } while (performance.now() - began < piecewise);
+    return false;
+  }
+
+  /**
+   * What is known so far of a drawing. If it takes long, the page goes on meanwhile.
+   * @param {number} plot @param {string} key what it is of @param {Generator<[number, number]>} all
    * @param {(time: number, value: number) => void} add @param {[number, number][][]} strokes
    * @param {() => [number, number][]} last what is not at its end
    */
-  function slowly(player, plot, key, all, add, strokes, last) {
+  function slowly(plot, key, all, add, strokes, last) {
     const had = jobs.get(plot);
     if (had && had.key === key) return had.strokes();
-    const job = { key, done: false, strokes: () => [...strokes, ...(last().length > 0 ? [last()] : [])] };
+    const job = { key, done: some(all, add), strokes: () => [...strokes, ...(last().length > 0 ? [last()] : [])] };
     jobs.set(plot, job);
     let drawn = performance.now();
     const on = () => {
       // Another part of time is drawn, or another run, or it was taken away.
       if (jobs.get(plot) !== job || !Formulas.there(plot)) return;
-      const began = performance.now();
-      while (performance.now() - began < piecewise) {
-        const next = all.next();
-        if (next.done) {
-          job.done = true;
-          progress();
-          return;
-        }
-        add(...next.value);
-      }
-      if (performance.now() - drawn > told) {
+      job.done = some(all, add);
+      if (job.done || performance.now() - drawn > told) {
         drawn = performance.now();
         progress();
       }
-      setTimeout(on);
+      if (!job.done) setTimeout(on);
     };
-    setTimeout(on);
+    if (!job.done) setTimeout(on);
     return job.strokes();
   }
 

@@ -36,6 +36,17 @@ def main():
                                  ('fish', any('-l %s ' % option[2:] in line for line in of_fish))):
                 if not known:
                     print('%s: %s %s' % (shell, command, option))
+            # Of an option whose manual names the values of its kind, they are offered.
+            for value in offered(command, option):
+                if not re.search(r'"%s %s"[^\n]*compgen -W "[^"]*\b%s\b' % (command, option, value), bash):
+                    print('bash: %s %s %s' % (command, option, value))
+
+
+def offered(command, option):
+    return {'--format': {'simulate': ['csv', 'jsonl'], 'sweep': ['csv', 'jsonl'], 'explore': ['aut', 'drn'], 'export': ['glb', 'csv']},
+            '--free': {'sweep': ['apart', 'evenly'], 'estimate': ['apart', 'evenly']}, '--pieces': {'inflate': ['one', 'plate']},
+            '--choose': {'trace': ['first'], 'export': ['first']}, '--start': {'trace': ['simple'], 'export': ['simple']},
+            '--no-reduce': {'check': ['symmetry', 'all'], 'successors': ['drift']}}.get(option, {}).get(command, [])
 
 
 if __name__ == '__main__':

@@ -91,6 +91,10 @@ bash takes an equals sign for a word of its own, as it does at a prompt:
   timed trace
   $ complete scc explore --format ''
   aut dot drn json tra
+  $ complete scc simulate --format ''
+  csv jsonl
+  $ complete scc inflate --pieces = ''
+  apart each one plate
   $ complete scc trace --states e
   ends
   $ complete scc check mo
@@ -144,7 +148,11 @@ on SCC prints its pages, and is not asked for the values of each option, which t
 
   $ "$scripts/uninstall" prefix | sed "s|$PWD|.|g"
   scc is no longer in ./prefix
-  $ find prefix -type f
+  $ find prefix | LC_ALL=C sort
+  prefix
+  prefix/share
+  prefix/share/man
+  prefix/share/man/man1
   prefix/share/man/man1/other.1
   $ "$scripts/uninstall" prefix 2>&1 | sed "s|$PWD|.|g"
   scripts/install: nothing is installed in ./prefix (./prefix/share/scc/installed is not there)
@@ -157,7 +165,7 @@ Without a prefix it is ~/.local, and /usr/local for root (which is not tried her
   $ ls home/.local/bin
   scc
   $ "$scripts/install" --uninstall "$HOME/.local" > /dev/null
-  $ find home -type f
+  $ find home -name bin -o -name man -o -name man1 -o -name zsh -o -name '*completion*' -o -name '*scc*'
   $ "$scripts/install" --nothing
   scripts/install: no option '--nothing'
   usage: scripts/install [--uninstall] [PREFIX]

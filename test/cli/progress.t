@@ -11,5 +11,9 @@ Progress as lines on standard error, where it is no terminal and with --json.
   $ grep -vc '^progress: ' lines
   0
   [1]
+  $ head -1 lines
+  progress: reading the model
+  $ scc simulate walk.sc --observe time --every 1 --until 2 --runs 1 --progress 2>&1 >/dev/null | head -1
+  progress: reading the model
   $ scc check walk.sc --states 100000 --jobs 1 --json 2>lines >report.json; wc -c < lines
   0

@@ -212,3 +212,12 @@ The draws and lots of one instant are one of the transitions of --steps: here a 
   0,3,,"ended by `--steps 5`, at time 2"
   scc: 1 run did not come to the last time; what was not observed is empty; without `--steps` a run goes on to that time, if it can
   [2]
+
+An observable with the name of a column has its own column in round brackets, as a parameter of a sweep has:
+
+  $ printf 'import <solids>\nparam run = 7\nparam ended = 8\nprocess p = solids.Cube(1) mass 1 [nil]\n' > names.sc
+  $ scc simulate names.sc --observe time --observe run --observe ended --every 1/2 --until 1 --runs 1 2> /dev/null
+  run,time,(time),(run),(ended),ended
+  0,0,0,7,8,
+  0,1/2,1/2,7,8,
+  0,1,1,7,8,

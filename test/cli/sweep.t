@@ -150,7 +150,9 @@ Of bodies that diffuse the table has the kick. A chosen one that changes is a wa
   0,0,0,
   0,1,1,
   $ scc simulate drift.sc --runs 1 --observe 'x(p)' --every 1 --until 1 --progress
+  progress: reading the model
   scc: kick 1, kick chosen as the least power of two whose square is no less than 1
+  progress: 0 of 1 runs
   progress: 1 of 1 runs
   run,time,x(p),ended
   0,0,0,

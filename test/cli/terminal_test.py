@@ -96,6 +96,9 @@ class Terminal(unittest.TestCase):
     def test_progress_and_interrupt(self):
         session = Session("check", model("bonds"), *LARGE)
         self.assertTrue(session.wait_for(lambda s: "left" in s), session.seen[-300:])
+        # From the beginning on, a line says what is done.
+        phases = [session.seen.find(what) for what in ("reading the model", "beginning to explore", " states")]
+        self.assertTrue(0 <= phases[0] < phases[1] < phases[2], (phases, session.seen[:300]))
         session.interrupt()
         code, text = session.end()
         self.assertEqual(code, 4, text)

@@ -67,13 +67,13 @@ let describe path =
   Printf.printf "checked: %d states, %d transitions, %s\n" report.states report.transitions
     (if report.complete then "complete" else "not complete");
   Printf.printf "a report: %b\n" (measure report.json > 1000);
+  let page = measure (fun write -> good (Scc_library.page ~title:"a page" model write)) in
+  Printf.printf "a page: %b\n" (page > 100_000);
   let states, transitions, time = explore model in
   Printf.printf "explored: %d states, %d transitions, until %s\n" states transitions (Q.to_string time);
   walk model;
   let picture = Scc_library.picture model (good (Scc_library.initial model)) in
-  Printf.printf "a picture: %b\n" (String.length picture > 1000);
-  let page = measure (fun write -> good (Scc_library.page ~title:"a page" model write)) in
-  Printf.printf "a page: %b\n" (page > 100_000)
+  Printf.printf "a picture: %b\n" (String.length picture > 1000)
 
 (* A text that is no file. It imports one, which this program has in memory. *)
 let of_text () =
@@ -96,6 +96,32 @@ let of_text () =
   | Ok _ -> print_endline "that file cannot be there"
   | Error problems -> List.iter (fun (p : Scc_library.problem) -> print_string p.text) problems
 
+let show_problems = function
+  | Ok _ -> print_endline "accepted"
+  | Error problems ->
+    List.iter (fun (p : Scc_library.problem) -> Printf.printf "%s: %s\n" p.code p.message) problems
+
+(* What is no value, no bound and no file is refused in words. *)
+let refused () =
+  print_endline "== refused";
+  let text =
+    "import <solids>\nparam far = 3\nprocess cube = solids.Cube(far) mass 1 [nil]\n\
+     check c : always x(cube) < far\n"
+  in
+  List.iter
+    (fun value -> show_problems (Scc_library.load ~set:[ ("far", value) ] text))
+    [ Q.inf; Q.minus_inf; Q.undef; { Q.num = Z.zero; den = Z.zero } ];
+  let start value = good (Scc_library.initial (good (Scc_library.load ~set:[ ("far", value) ] text))) in
+  let three = Z.of_int (-3) in
+  let same = Scc_library.equal (start Q.one) (start { Q.num = three; den = three }) in
+  Printf.printf "in its lowest terms: %b\n" same;
+  let model = good (Scc_library.load text) in
+  show_problems (Scc_library.check ~states:(-1) model);
+  show_problems (Scc_library.check ~depth:(-1) model);
+  show_problems (Scc_library.check ~states:0 ~depth:0 model);
+  show_problems (Scc_library.page ~states:(-1) ~title:"a page" model ignore);
+  List.iter (fun path -> show_problems (Scc_library.load_file path)) [ "."; "/"; "explorer.ml/x"; "" ]
+
 let () =
   let attempt f =
     try f () with
@@ -103,4 +129,5 @@ let () =
       List.iter (fun (p : Scc_library.problem) -> Printf.printf "%s: %s\n" p.code p.message) problems
   in
   attempt of_text;
+  attempt refused;
   List.iter (fun path -> attempt (fun () -> describe path)) (List.tl (Array.to_list Sys.argv))

@@ -19,8 +19,8 @@ def tiny(b, scc):
     sight = 'return Object.values(scc.floats()).map((p) => scc.sight(p).at.map(Math.round))'
     ink = 'return document.querySelector("#scene canvas").toDataURL().length'
     pictures = []
-    for k in [0, 3, 5, 6, 7, 8, 9]:
-        b.open(scc.view(written(scc, CUBES.format(f'1e-{k}'))))
+    for k in [0, 3, 6, 8, 9, 12, 15, -6, -9, -12, -15]:
+        b.open(scc.view(written(scc, CUBES.format(f'1e{-k}'))))
         first = b.js(sight)
         b.js('scc.sight([0, 0, 0]); document.querySelector("#scene canvas").focus()')
         b.keys('z', 'z', 'z')
@@ -28,12 +28,94 @@ def tiny(b, scc):
         b.js('return new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 500))')
         again = b.js(sight)
         camera = json.loads(unquote(b.js('return scc.link()').split('camera=', 1)[1].split('&')[0]))
-        pictures.append((k, first, again, camera['distance'] * 10 ** k, b.js(ink)))
+        pictures.append((k, first, again, camera['distance'] * 10.0 ** k, b.js(ink)))
     _, first, again, distance, size = pictures[0]
     for k, *found in pictures[1:]:
         same(f'where bodies are, 10^-{k}', found[:2], [first, again])
         check(f'how far away the camera is, 10^-{k}', abs(found[2] / distance - 1) < 1e-3, (found[2], distance))
-        check(f'as much is drawn, 10^-{k}', 0.6 < found[3] / size < 1.6, (found[3], size))
+        check(f'as much is drawn, 10^-{k}', 0.9 < found[3] / size < 1.1, (found[3], size))
+    same('the console is told nothing', b.complaints(), [])
+
+
+#: Keeps the words that are drawn on each canvas, with their boxes.
+KEEP_WORDS = '''
+const pen = CanvasRenderingContext2D.prototype, { fillText, clearRect } = pen;
+window.words = new Map();
+pen.clearRect = function (...box) { words.set(this.canvas, []); return clearRect.apply(this, box); };
+pen.fillText = function (text, x, y) {
+  const m = this.measureText(text), all = words.get(this.canvas) || [];
+  all.push([text, x - m.actualBoundingBoxLeft, y - m.actualBoundingBoxAscent, x + m.actualBoundingBoxRight, y + m.actualBoundingBoxDescent]);
+  words.set(this.canvas, all);
+  return fillText.call(this, text, x, y);
+};
+'''
+WORDS = 'scc.sight([0, 0, 0]); return words.get(document.querySelectorAll("#scene canvas")[1])'
+FAR = """import <solids>
+process a = solids.Cube({1}) mass 1 at translate ({0}, 5*{1}, 0) velocity ({1}, 0, 0) [nil]
+process b = solids.Cube({1}) mass 1 at translate ({0} + 8*{1}, 5*{1}, 0) [nil]
+"""
+
+
+def meet(one, other):
+    _, a, b, c, d = one
+    _, e, f, g, h = other
+    return a < g - 0.5 and e < c - 0.5 and b < h - 0.5 and f < d - 0.5
+
+
+def words(b, scc):
+    """No two numbers at the floor are written alike, and no word of the scene is on another one or cut off."""
+    script = b.command('Page.addScriptToEvaluateOnNewDocument', source=KEEP_WORDS)['identifier']
+    axes = set('xyz')
+    for at, size in [('0', '1'), ('1e17', '1'), ('0', '1e15'), ('1e30', '1e15'), ('3', '1e-15'), ('7e7', '1e-4'), ('-2e8', '1e5'),
+                     ('1e12', '1e8'), ('1/7', '1e-8')]:
+        b.open(scc.view(written(scc, FAR.format(at, size))))
+        found = b.js(WORDS)
+        numbers = [text for text, *_ in found if re.search(r'[0-9]', text)][1:]  # the scale comes first
+        reds = [text.split(' = ')[-1] for text in numbers]
+        check(f'{at}, {size}: there are numbers', len(reds) >= 3, found)
+        twice = {text for text in reds if reds.count(text) > 1}
+        check(f'{at}, {size}: both axes have a number alike at most once', all(reds.count(text) == 2 for text in twice), reds)
+        check(f'{at}, {size}: they are short', all(len(text) <= 30 for text in reds), reds)
+    for model in ['eject', 'hexokinase', 'association', 'glycolysis', 'brownian', 'ring']:
+        for size in [(400, 700), (1400, 900)]:
+            b.size(*size)
+            b.open(scc.view(f'specs/models/{model}.sc'))
+            for what in ['at first', 'names']:
+                if what == 'names':
+                    b.find('names').click()
+                found, width = b.js(WORDS), b.js('return document.getElementById("scene").clientWidth')
+                on = [(p[0], q[0]) for i, p in enumerate(found) for q in found[:i] if meet(p, q)]
+                same(f'{model}, {size}, {what}: no word is on another one', on, [])
+                marked = [w[0] for w in found if '→' in w[0] and not 0 <= w[1] <= w[3] <= width]
+                same(f'{model}, {size}, {what}: what has changed is told in full', marked, [])
+    check('the axes have names', axes <= {text for text, *_ in found}, found)
+    b.size(1400, 900)
+    b.command('Page.removeScriptToEvaluateOnNewDocument', identifier=script)
+    same('the console is told nothing', b.complaints(), [])
+
+
+def long_formulas(b, scc):
+    """The page goes on while formulas of a thousand terms are drawn."""
+    b.open(scc.view('specs/models/gears.sc'))
+    for term in ['x(driver) / {0}', 'vx(driver) * y(driven)']:
+        text = ' + '.join(term.format(i + 1) for i in range(1000))
+        most = b.js('''
+          const box = document.querySelector("[data-testid=plot-input]");
+          box.value = arguments[0];
+          box.form.requestSubmit();
+          return new Promise((done) => {
+            let last = performance.now(), most = 0, count = 0;
+            const on = () => {
+              most = Math.max(most, performance.now() - last);
+              last = performance.now();
+              if (count++ < 20) setTimeout(on); else done(most);
+            };
+            setTimeout(on);
+          });''', text)
+        # At most some instants at once, of the hundreds that are drawn; it took minutes.
+        check(f'{term}: the page is held for a moment at most', most < 5000, most)
+        value = b.js('return scc.plots().at(-1)')
+        check(f'{term}: its value is exact', value['text'] == text and re.fullmatch(r'-?\d+(/\d+)?', value['value']), str(value)[-200:])
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -129,4 +211,4 @@ def addresses(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-PARTS = [tiny, refused, once, partial, addresses]
+PARTS = [tiny, words, long_formulas, refused, once, partial, addresses]

@@ -173,6 +173,32 @@ def half_heads(served):
         one.close()
 
 
+def silent_ones(served):
+    """More connections than there may be, which say nothing: the oldest ones give their places to those who speak."""
+    def is_open(one):
+        one.setblocking(False)
+        try:
+            return one.recv(1) != b''
+        except ConnectionResetError:
+            return False
+        except BlockingIOError:
+            return True
+
+    begun = time.monotonic()
+    half = f'GET {served.root} HTTP/1.1\r\nHost: 127.0.0.1:{served.port}\r\n'.encode()
+    many = [socket.create_connection(('127.0.0.1', served.port), HANG) for _ in range(250)]
+    for one in many[:20:2]:
+        one.sendall(half)
+    same('others are heard beside them', [served.ask('GET', '')[0] for _ in range(30)], 30 * [200])
+    # After ten seconds, all of them are dropped.
+    found = [is_open(one) for one in many]
+    late = time.monotonic() - begun > 9
+    check('the oldest ones are dropped', not any(found[:51]), found)
+    check('the newest ones are not', late or all(found[100:]), found)
+    for one in many:
+        one.close()
+
+
 def bodies_that_do_not_come(served):
     """Who is not admitted is answered at once, whatever was promised; who is, after the seconds for a body."""
     def sent(path, *headers):
@@ -356,7 +382,7 @@ def long_work(served, endless):
     """A check that does not end: it tells how far it is, and ends with what it has."""
     _, answer = served.post('open', {'text': endless, 'check': 'all'})
     name, progress, since = answer['document'], None, time.monotonic()
-    while progress is None and time.monotonic() - since < HANG:
+    while 'states' not in (progress or '') and time.monotonic() - since < HANG:
         _, told = served.post(f'view/{name}/status', {})
         if told['state'] != 'working':
             break
@@ -479,6 +505,7 @@ def main(scc, folder):
     large_requests(served)
     strange_heads(served)
     half_heads(served)
+    silent_ones(served)
     bodies_that_do_not_come(served)
     repeated_headers(served)
     same('the end', served.end(), 0)

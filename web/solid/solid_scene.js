@@ -206,7 +206,7 @@ class SolidScene {
     this.places = this.corners.map((p) => p.map((x, i) => Rational.toNumber(Rational.sub(x, orbit.at[i]))));
     orbit.place(width, height, 4 * this.radius + Math.hypot(...(this.places[0] || [0])));
     Kind.shared.size.value = [width, height];
-    Kind.shared.near.value = orbit.parallel ? 0 : orbit.camera.near;
+    Kind.shared.near.value = orbit.parallel ? 0 : 1;
     this.#fill();
     gl.draw(orbit.camera.clip);
     this.#words(width, height, ratio);

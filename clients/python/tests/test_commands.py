@@ -342,6 +342,18 @@ class Errors(Commands):
         with self.assertRaises(CommandFailed) as caught:
             simulate(WALK, runs=1, observe="x(p)", every=1, until=1, output=self.path("no/where"))
         self.assertEqual((caught.exception.exit_code, caught.exception.code), (74, "SC0103"))
+        # A file beside the result: what was found is there.
+        away = self.path("no/where.svg")
+        grid = {"runs": 1, "observe": "x(p)", "every": 1, "until": 1}
+        meeting, swept = os.path.join(MODELS, "meeting.sc"), WALK + "param a = 1\n"
+        for ask in (lambda: check(WALK, witness=away), lambda: check(WALK, sarif=away), lambda: check(meeting, smt=away),
+                    lambda: simulate(WALK, plot=away, **grid), lambda: sweep(swept, {"a": [1, 2]}, plot=away)):
+            with self.assertRaises(CommandFailed) as caught:
+                ask()
+            again = pickle.loads(pickle.dumps(caught.exception))
+            for failed in (caught.exception, again):
+                self.assertEqual((failed.exit_code, failed.code), (74, "SC0103"))
+                self.assertEqual(failed.result.run.exit_code, 74)
 
     def test_no_program(self):
         with self.assertRaisesRegex(ServiceError, "cannot start"):
@@ -374,7 +386,7 @@ class Interruptions(Commands):
 
     def interrupted(self, function, *arguments, **options):
         """The result of a call that SIGINT interrupts once scc has worked for 0.2 seconds. It starts in less, and writes
-        thousands of steps in a second, of which the client makes objects for minutes."""
+        thousands of steps in a second."""
 
         before = used_below()
 
@@ -401,6 +413,11 @@ class Interruptions(Commands):
         run = self.interrupted(trace, LONG, steps=10**8, states="ends")
         self.assertEqual((run.interrupted, run.ending), (True, "interrupted"))
         self.assertTrue(run.steps)
+        # Objects of a long trace are made when they are looked at, so that Ctrl-C is answered before.
+        run = self.interrupted(trace, LONG, steps=10**8)
+        self.assertEqual((run.ending, run.time > 0, len(repr(run)) < 200), ("interrupted", True, True))
+        self.assertFalse({"lines", "steps"} & set(vars(run)))
+        self.assertEqual(run.time, run.steps[-1].time)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
 
     def test_twice(self):
@@ -428,10 +445,12 @@ class Interruptions(Commands):
     def test_progress(self):
         lines = []
         simulate(WALK, runs=2000, observe="x(p)", every=1, until=100, progress=lines.append)
-        self.assertRegex(lines[0], "^[0-9]+ of 2000 runs$")
+        self.assertEqual(lines[:2], ["reading the model", "0 of 2000 runs"])
+        self.assertRegex(lines[2], "^[0-9]+ of 2000 runs$")
         del lines[:]
         check(LONG.replace("check far", "// "), states=100000, jobs=1, progress=lines.append)
-        self.assertRegex(lines[0], "^[0-9]+ states ")
+        self.assertEqual(lines[:2], ["reading the model", "beginning to explore"])
+        self.assertRegex(lines[2], "^[0-9]+ states ")
 
 
 class Readme(Commands):

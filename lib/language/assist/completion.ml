@@ -5,6 +5,10 @@ type offer = Offers.offer = { name : string; kind : string; form : string option
 
 (* {1 What fits} *)
 
+(* Words of declarations, which no formula has. *)
+let declaring =
+  List.filter (fun word -> not (List.mem word [ "bonds"; "for"; "at" ])) (List.append beginning attributes)
+
 let formula t =
   bodies t @ values t
   @ entries Vocabulary.Atom Forms.Called
@@ -12,7 +16,8 @@ let formula t =
   @ names "channel" (channels t)
   @ shapes t
   @ names "behaviour" (named_behaviours t)
-  @ words temporal @ entries Vocabulary.Measure Forms.Written @ keywords ()
+  @ words temporal @ entries Vocabulary.Measure Forms.Written
+  @ List.filter (fun (o : Offers.offer) -> not (List.mem o.name declaring)) (keywords ())
 
 let anything t =
   bodies t @ values t @ names "channel" (channels t)

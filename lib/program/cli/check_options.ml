@@ -26,6 +26,7 @@ let watch ?signals ?jobs (budget : Budget.t) =
   Watch.start ?signals ?seconds:budget.seconds ~memory:(words ?jobs budget) ()
 
 let starting ?attempt console watch (budget : Budget.t) =
+  Console.phase console "beginning to explore";
   options ?attempt watch budget ~progress:(Progress.show console budget)
 
 let positive what = Options.integer ~least:1 ~most:((1 lsl 40) - 1) ("positive number of " ^ what)

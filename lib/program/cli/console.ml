@@ -12,7 +12,7 @@ type t = {
   mutable kept : Diag.t list;  (** newest first *)
   mutable faults : string list;  (** likewise *)
   mutable progressing : bool;
-  sink : (string -> unit) option;  (** what takes the lines of progress, if they go elsewhere *)
+  sink : (phase:bool -> string -> unit) option;  (** what takes the lines of progress, if they go elsewhere *)
 }
 
 exception Output_failed of Diag.t
@@ -99,10 +99,10 @@ let rendered c d =
 
 let progress_lines () =
   let last = ref 0. in
-  fun line ->
+  fun ~phase line ->
     let now = Unix.gettimeofday () in
-    if now -. !last >= 0.1 then begin
-      last := now;
+    if phase || now -. !last >= 0.1 then begin
+      if not phase then last := now;
       Standard.control (Printf.sprintf "progress: %s\n" (Visible.line line))
     end
 
@@ -112,14 +112,17 @@ let progress_done c =
     Standard.control "\r\027[K"
   end
 
-let progress c line =
+let show c ~phase line =
   match c.sink with
-  | Some put -> put line
+  | Some put -> put ~phase line
   | None when c.terminal && not c.json ->
     c.progressing <- true;
     (* Without the switch, a line that is too long for the terminal would go on in the next. *)
     Standard.control ("\r\027[K\027[?7l" ^ Visible.line line ^ "\027[?7h")
   | None -> ()
+
+let progress c line = show c ~phase:false line
+let phase c line = show c ~phase:true line
 
 (* The lines are {!Visible}.
    What was printed before comes before; where it cannot be written, the lines are there all the same. *)

@@ -17,7 +17,7 @@ exception Output_closed
 val output_failed : string -> string -> exn
 (** [output_failed name reason] is {!Output_failed} for the output with this name. *)
 
-val make : ?progress:(string -> unit) -> color:color -> json:bool -> unit -> t
+val make : ?progress:(phase:bool -> string -> unit) -> color:color -> json:bool -> unit -> t
 (** A console. With [json], diagnostics are kept for the JSON report instead of being shown. [progress] receives
     the lines of {!progress} instead of the terminal. *)
 
@@ -70,9 +70,12 @@ val note : t -> string -> unit
 val progress : t -> string -> unit
 (** Replaces the line of progress, on a terminal only, or passes it to the function of {!make}. *)
 
-val progress_lines : unit -> string -> unit
-(** [progress_lines ()] is a function for {!make} that writes lines of progress to standard error, at most ten a
-    second, each as ["progress: "], the text and a newline. *)
+val phase : t -> string -> unit
+(** The same line as {!progress}, with what begins now, before there are numbers to show. *)
+
+val progress_lines : unit -> phase:bool -> string -> unit
+(** [progress_lines ()] is a function for {!make} that writes lines of progress to standard error, each as
+    ["progress: "], the text and a newline: those of a phase, and at most ten others a second. *)
 
 val progress_done : t -> unit
 (** Removes the line of progress. *)

@@ -120,7 +120,7 @@ let make console (shown : Viewed.options) text =
 
 let document (shown : Viewed.options) =
   let errors = Console.make ~color:Never ~json:false () in
-  let progress line = tell errors (`Assoc [ ("progress", `String line) ]) in
+  let progress ~phase:_ line = tell errors (`Assoc [ ("progress", `String line) ]) in
   let console = Console.make ~progress ~color:Never ~json:true () in
   Guard.run errors (fun () ->
       let lines = lines () in

@@ -52,6 +52,7 @@ let sample console o runs (plan : Sample.plan) estimation ~room ~stopped =
     Estimation.judge estimation ~last:true;
     Interrupted
   in
+  Console.phase console "making runs";
   let rec go first =
     match Estimation.next estimation with
     | None -> Whole

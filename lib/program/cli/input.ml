@@ -119,5 +119,8 @@ let model ?(given = Span.command_line) ?(narrowed = []) ?parametric ?source ?rea
       Console.add_source console source;
       Ok source
   in
-  Result.map_error (List.map (placed given))
-    (Scc_loading.Loaded.load ~read_file ~overrides ~narrowed ?parametric source)
+  (* A model of thousands of bodies takes seconds. *)
+  Console.phase console "reading the model";
+  let loaded = Scc_loading.Loaded.load ~read_file ~overrides ~narrowed ?parametric source in
+  Console.progress_done console;
+  Result.map_error (List.map (placed given)) loaded

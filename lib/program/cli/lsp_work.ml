@@ -41,6 +41,7 @@ let verdict console (l : Loaded.t) where (o : Verdict.outcome) : Session.verdict
   }
 
 let decide ~read_file ~progress ~check source =
+  let progress ~phase:_ = progress in
   let console = Console.make ~progress ~color:Never ~json:true () in
   let options = viewed ~read_file source All in
   let* l = Viewed.model console options None in
@@ -51,6 +52,7 @@ let decide ~read_file ~progress ~check source =
   Ok (List.map (verdict console l where) outcomes)
 
 let page ~read_file ~progress ~check source path =
+  let progress ~phase:_ = progress in
   let console = Console.make ~progress ~color:Never ~json:true () in
   let checks : Viewed.checks = match check with None -> All | Some name -> Only name in
   let watch = Check_options.watch ~signals:false budget in

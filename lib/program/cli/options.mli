@@ -74,7 +74,7 @@ val overrides : (string * Rat.t) list Term.t
 val color : Console.color Term.t
 (** The option [--color]. *)
 
-val progress : (string -> unit) option Term.t
+val progress : (phase:bool -> string -> unit) option Term.t
 (** The flag [--progress]: the function that writes lines of progress, for {!Console.make}. *)
 
 val json : bool Term.t

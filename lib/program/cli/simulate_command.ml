@@ -56,11 +56,13 @@ let report o (l : Loaded.t) observables times : Report.t =
 let patience = 5.
 
 let each_run console o kept plan ~runs ~written ~first ~last ~room each =
+  let progress show = show console (Printf.sprintf "%d of %d runs" !written runs) in
   let told _ (r : Simulation.run) =
     each r;
     if r.interrupted then Memory_of_runs.ended room;
-    Console.progress console (Printf.sprintf "%d of %d runs" !written runs)
+    progress Console.progress
   in
+  progress Console.phase;
   let interrupted () = Scc_system.Interruption.heard () || Memory_of_runs.over room in
   let work = Simulation.run plan ~seed:o.seed ~interrupted in
   let whole (r : Simulation.run) = not r.interrupted in

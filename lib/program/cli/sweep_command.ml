@@ -180,9 +180,11 @@ let sweep console o watch =
   let seen = { written = there; open_ = 0; refused = 0; stopped = 0; kicks; all = [] } in
   let write put =
     put before;
+    let progress show = show console (Printf.sprintf "%d of %d points" seen.written count) in
+    progress Console.phase;
     let each k outcome =
       note console o seen k outcome;
-      Console.progress console (Printf.sprintf "%d of %d points" seen.written count);
+      progress Console.progress;
       put (match o.form with Csv -> Table.csv table k outcome | Jsonl -> Table.json table k outcome)
     in
     let first = max there from in

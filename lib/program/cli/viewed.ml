@@ -1,12 +1,10 @@
 open Scc_base
 open Scc_exact
-open Scc_calculus
 open Scc_semantics
 open Scc_property
 open Scc_verify
 open Scc_loading
 open Scc_verdicts
-open Scc_json
 open Scc_runs
 open Scc_reports
 open Scc_view
@@ -87,14 +85,7 @@ type making = {
 let world_of making semantics =
   States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
 
-(* Where the parts of leaves may depend on parameters, a run says how they are in it. *)
-let with_leaves making (own : Model.t) (run : Runs.t) =
-  let own, all =
-    let leaves = Bodies.leaves ~solids:making.tables.solids in
-    (leaves own, leaves making.loaded.model)
-  in
-  let line leaves = Json.line Json_format.(write (list Bodies.format) leaves) in
-  if String.equal (line own) (line all) then run else { run with leaves = Some own }
+let with_leaves making = Runs.with_leaves making.tables ~of_document:making.loaded.model
 
 (* Follows the run again up to a step: that costs less than to keep all states. *)
 let state_after (l : Loaded.t) policy (limits : Replay.limits) n =

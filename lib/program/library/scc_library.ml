@@ -41,23 +41,36 @@ let problem source (d : Diag.t) =
 
 let problems source result = Result.map_error (List.map (problem source)) result
 
+let refused fmt = Diag.error Code.bad_value Span.none fmt
+
+(* Infinity and 0/0 are values of Zarith, and no numbers of models. A fraction that a program has put together by
+   itself may not be in its lowest terms. *)
+let finite set =
+  let set = List.map (fun (name, (value : Q.t)) -> (name, Q.make value.num value.den)) set in
+  match List.find_opt (fun (_, value) -> not (Q.is_real value)) set with
+  | Some (name, value) -> Error [ refused "the value of `%s` is no number: %s" name (Q.to_string value) ]
+  | None -> Ok set
+
+let not_negative what n = if n < 0 then Error [ refused "%s is negative: %d" what n ] else Ok ()
+
 let load ?(read = fun _ -> Error "no file can be read here") ?(set = []) ?(name = "<model>") text =
   let main = Source.make ~name text in
   let source file =
     if String.equal file name then Some main
     else Result.to_option (Result.map (Source.make ~name:file) (read file))
   in
-  Loaded.load ~read_file:read ~overrides:set main
+  Result.bind (finite set) (fun overrides -> Loaded.load ~read_file:read ~overrides main)
   |> Result.map (fun loaded -> { loaded; source })
   |> problems source
 
 let content path =
   let read channel = really_input_string channel (in_channel_length channel) in
-  match
+  let text () =
     let channel = open_in_bin path in
     Fun.protect ~finally:(fun () -> close_in_noerr channel) (fun () -> read channel)
-  with
-  | text -> Ok text
+  in
+  match if Sys.is_directory path then Error "it is a folder" else Ok (text ()) with
+  | result -> result
   | exception Sys_error message -> Error message
   | exception End_of_file -> Error "it has become shorter while it was read"
 
@@ -161,7 +174,7 @@ let exit_code (report : Check.report) : Exit_code.t =
     Exit_code.of_exploration ~complete:s.complete ~faults:s.faults ~stopped_by:s.stopped_by
   | all -> Exit_code.worst (List.map (fun (o : Verdict.outcome) -> Exit_code.of_verdict o.verdict) all)
 
-let document m (report : Check.report) put =
+let report_json m (report : Check.report) put =
   let diagnostics = m.loaded.warnings @ report.stats.faults @ report.stats.dead_ends in
   Scc_reports.Check_json.document ~source:m.source
     {
@@ -194,10 +207,15 @@ let check ?(states = most_states) ?depth ?(stop = fun () -> false) m =
       states = report.stats.states;
       transitions = report.stats.transitions;
       complete = report.stats.complete;
-      json = document m report;
+      json = report_json m report;
     }
   in
-  Result.map answer (problems m.source (outcomes (setup ~states ~depth ~stop) m.loaded))
+  let made =
+    let* () = not_negative "the bound on states" states in
+    let* () = not_negative "the bound on depth" (Option.value depth ~default:0) in
+    outcomes (setup ~states ~depth ~stop) m.loaded
+  in
+  Result.map answer (problems m.source made)
 
 (* {1 Pictures} *)
 
@@ -205,28 +223,53 @@ let picture m state = Scc_picture.Picture.(svg m.loaded.model state default)
 
 module View = Scc_view
 
-let run_of states world ~most (o : Verdict.outcome) =
+type making = { point : Loaded.t; tables : View.Tables.t; all : View.States.t; most : int }
+
+let world_of made ~plots semantics =
+  View.States.world made.all made.tables ~words:Transition.label_to_string ~plots semantics
+
+(* A run from one start of many has the model at this start. *)
+let run_of made world ~plots (o : Verdict.outcome) =
   let { name; formula; kind; text } = verdict o in
   let about = { View.Runs.formula; verdict = kind; text } in
+  let told world = View.Runs.of_witness made.all world ~most:made.most ~name (Some about) in
   match Verdict.shown o.verdict with
-  | Some (w : Scc_explain.Witness.t) when Option.is_none w.fixed ->
-    View.Runs.of_witness states world ~most ~name (Some about) w
-  | Some _ | None -> View.Runs.none ~name about
+  | None -> View.Runs.none ~name about
+  | Some ({ fixed = None; _ } as w : Scc_explain.Witness.t) -> told world w
+  | Some ({ fixed = Some f; _ } as w) ->
+    let own = Semantics.model f.semantics in
+    View.Runs.with_leaves made.tables ~of_document:made.point.model own (told (world_of made ~plots f.semantics) w)
+
+(* Where checks hold, for a model with ranges. *)
+let where (l : Loaded.t) (report : Check.report) =
+  match Drawn_checks.(split report.outcomes (named report.outcomes report)) with
+  | [], [] -> None
+  | checks, numbers -> (
+      let ranges = l.model.ranges in
+      match Scc_regions.Plane.view ranges ~axes:[] ~fixed:[] with
+      | Error _ -> None
+      | Ok view ->
+        let drawn = View.Regions.drawn ranges view ~checks ~numbers in
+        Some { View.Regions.ranges; view; checks; numbers; drawn; samples = [] })
+
+(* Of a model with ranges, the page shows the states of one start. *)
+let at_a_start (l : Loaded.t) =
+  match Scc_runs.Sample.values Simple l.model.ranges with [] -> Ok l | values -> Loaded.at l values
+
+let document ~states ~title (l : Loaded.t) =
+  let* () = not_negative "the bound on states" states in
+  let* point = at_a_start l in
+  let* initial = Loaded.initial point in
+  let* report = outcomes (setup ~states:most_states ~depth:None ~stop:(fun () -> false)) l in
+  let tables = View.Tables.create () and all = View.States.create () in
+  let plots = View.Curves.of_checks point.checks in
+  let made = { point; tables; all; most = View.Graph.bound point.model states } in
+  let world = world_of made ~plots point.semantics in
+  let graph = View.Graph.explore all world ~most:made.most ~interrupted:(fun () -> false) initial in
+  let runs = List.map (run_of made world ~plots) report.outcomes in
+  let graph = Some graph and where = where l report in
+  Ok { View.Document.loaded = point; name = title; tables; states = all; plots; graph; runs; where }
 
 let page ?(states = 1000) ~title m put =
-  let made =
-    let* loaded = Ordinary.refuse m.loaded in
-    let* initial = Loaded.initial loaded in
-    let* report = outcomes (setup ~states:most_states ~depth:None ~stop:(fun () -> false)) loaded in
-    let tables = View.Tables.create () and all = View.States.create () in
-    let plots = View.Curves.of_checks loaded.checks in
-    let words = Transition.label_to_string in
-    let world = View.States.world all tables ~words ~plots loaded.semantics in
-    let most = View.Graph.bound loaded.model states in
-    let graph = View.Graph.explore all world ~most ~interrupted:(fun () -> false) initial in
-    let runs = List.map (run_of all world ~most) report.outcomes in
-    let graph = Some graph in
-    Ok { View.Document.loaded; name = title; tables; states = all; plots; graph; runs; where = None }
-  in
   let write document = View.Page.write ~title (View.Document.write document) put in
-  Result.map write (problems m.source made)
+  Result.map write (problems m.source (document ~states ~title m.loaded))

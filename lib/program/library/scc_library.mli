@@ -37,8 +37,8 @@ val load :
   (model, problem list) result
 (** [load text] reads the text of a model. [read] returns the content of a file that the model imports or takes a
     shape from, by its path as written there, or says why it cannot; by default it refuses all. [set] gives
-    parameters their values. [name] is the file that problems name, by default ["<model>"]; its ending selects the
-    notation ([.sc], [.xml], [.osc]). *)
+    parameters their values; [Q.inf] and [Q.undef] are refused (SC0208). [name] is the file that problems name, by
+    default ["<model>"]; its ending selects the notation ([.sc], [.xml], [.osc]). *)
 
 val load_file : ?set:(string * Q.t) list -> string -> (model, problem list) result
 (** [load_file path] reads a model from a file, and the files that it names from the folder of that file. *)
@@ -112,7 +112,7 @@ val check :
   ?states:int -> ?depth:int -> ?stop:(unit -> bool) -> model -> (report, problem list) result
 (** Explores the model and decides its checks, in this process. At most [states] states are kept (200 000 by
     default), and only those are expanded that at most [depth] transitions lead to. The exploration ends early once
-    [stop ()] is true; what was found until then is the answer. *)
+    [stop ()] is true; what was found until then is the answer. Negative bounds are refused (SC0208). *)
 
 (** {1 Pictures} *)
 
@@ -121,4 +121,6 @@ val picture : model -> state -> string
 
 val page : ?states:int -> title:string -> model -> (string -> unit) -> (unit, problem list) result
 (** [page ~title model write] writes a page that shows the runs of the model in a browser: one HTML file, as of
-    [scc view]. It has the runs that show the verdicts, and at most [states] states in all (1000 by default). *)
+    [scc view]. It has the runs that show the verdicts, and at most [states] states in all (1000 by default;
+    negative numbers are refused). If a parameter has a range, the states are those of one start, each run has the
+    start that its verdict names, and a drawing shows where the checks hold. *)

@@ -18,6 +18,7 @@ type conn = {
   mutable last : int;
   mutable heard : heard;
   over : unit Lwt.t * unit Lwt.u;  (** resolved when no more is heard: nobody waits for what does not come *)
+  dropped : unit Lwt.t * unit Lwt.u;  (** resolved when it gives its place to another one *)
 }
 
 type ic = conn
@@ -122,18 +123,22 @@ let head_is_late ~head_seconds c =
   let* () = Lwt_unix.sleep head_seconds in
   match c.heard with Head _ -> Lwt.return_unit | Body | No_more -> fst (Lwt.task ())
 
-let attend ~head_seconds ~seconds handle socket =
+let started socket =
   let bytes = Bytes.create (2 * piece) in
-  let c = { socket; bytes; first = 0; last = 0; heard = Head most_of_head; over = Lwt.wait () } in
-  let out = Lwt_io.of_fd ~mode:Lwt_io.output socket in
+  { socket; bytes; first = 0; last = 0; heard = Head most_of_head; over = Lwt.wait (); dropped = Lwt.wait () }
+
+let attend ~head_seconds ~seconds handle c =
+  let out = Lwt_io.of_fd ~mode:Lwt_io.output c.socket in
   Lwt.finalize
     (fun () ->
        Lwt.catch
          (fun () ->
             Lwt_unix.with_timeout seconds (fun () ->
-                Lwt.pick [ handle c c out; head_is_late ~head_seconds c ]))
+                Lwt.pick [ handle c c out; head_is_late ~head_seconds c; fst c.dropped ]))
          (fun _ -> Lwt.return_unit))
-    (fun () -> Lwt.catch (fun () -> Lwt_io.abort out) (fun _ -> Lwt.return_unit))
+    (fun () ->
+       hear_no_more c;
+       Lwt.catch (fun () -> Lwt_io.abort out) (fun _ -> Lwt.return_unit))
 
 (* A machine that has no descriptors left will have some when others end. *)
 let rec accepted socket =
@@ -145,20 +150,48 @@ let rec accepted socket =
         accepted socket
       | e -> Lwt.fail e)
 
+(* The oldest connection whose request is still to come ends. Those that have spoken are forgotten on the way. *)
+let rec drop_silent waiting =
+  match Queue.take_opt waiting with
+  | None -> false
+  | Some { heard = Body | No_more; _ } -> drop_silent waiting
+  | Some { heard = Head _; dropped = _, drop; _ } ->
+    Lwt.wakeup_later drop ();
+    true
+
+(* Of very many in a row, those that have spoken are not kept. *)
+let forget_spoken waiting ~most =
+  if Queue.length waiting > 2 * most then begin
+    let silent = Queue.create () in
+    Queue.iter (fun c -> match c.heard with Head _ -> Queue.add c silent | Body | No_more -> ()) waiting;
+    Queue.clear waiting;
+    Queue.transfer silent waiting
+  end
+
 let serve ~stop ~most ~head_seconds ~seconds socket handle =
-  let free = Lwt_condition.create () and open_ = ref 0 in
+  let free = Lwt_condition.create () and open_ = ref 0 and waiting = Queue.create () in
+  let attended c =
+    incr open_;
+    Queue.add c waiting;
+    forget_spoken waiting ~most;
+    let ended () =
+      decr open_;
+      Lwt_condition.signal free ();
+      Lwt.return_unit
+    in
+    Lwt.async (fun () -> Lwt.finalize (fun () -> attend ~head_seconds ~seconds handle c) ended)
+  in
   let rec go_on () =
-    if !open_ >= most then Lwt.bind (Lwt_condition.wait free) go_on
+    let* one = accepted socket in
+    let* () = place () in
+    attended (started one);
+    go_on ()
+  and place () =
+    if !open_ < most then Lwt.return_unit
     else begin
-      let* one = accepted socket in
-      incr open_;
-      let ended () =
-        decr open_;
-        Lwt_condition.signal free ();
-        Lwt.return_unit
-      in
-      Lwt.async (fun () -> Lwt.finalize (fun () -> attend ~head_seconds ~seconds handle one) ended);
-      go_on ()
+      let end_ = Lwt_condition.wait free in
+      ignore (drop_silent waiting);
+      Lwt.bind end_ place
     end
   in
   let* () = Lwt.pick [ stop; go_on () ] in

@@ -87,9 +87,15 @@ let run_format =
      let interrupted = Option.value interrupted ~default:false in
      { Simulation.number; values = Array.of_list (List.map Array.of_list values); ended; interrupted })
 
+(* No two columns have one name: a model may have parameters of these names, and every model has a time. *)
+let columns t =
+  let own = [ "run"; "time"; "ended" ] in
+  let column name = if List.mem name own then Printf.sprintf "(%s)" name else name in
+  [ "run"; "time" ] @ List.map column t.observables @ [ "ended" ]
+
 let header t =
   match t.form with
-  | Csv -> csv ([ "run"; "time" ] @ t.observables @ [ "ended" ])
+  | Csv -> csv (columns t)
   | Jsonl -> line header_format (t, None)
 
 let run t (r : Simulation.run) =

@@ -113,6 +113,14 @@ let format =
 let run name check course = { name; check; course; values = []; leaves = None; sample = false; contrast = None }
 let none ~name about = run name (Some about) None
 
+let with_leaves (tables : Tables.t) ~of_document own (run : t) =
+  let own, all =
+    let leaves = Bodies.leaves ~solids:tables.solids in
+    (leaves own, leaves of_document)
+  in
+  let line leaves = Json.line Json_format.(write (list Bodies.format) leaves) in
+  if String.equal (line own) (line all) then run else { run with leaves = Some own }
+
 let about run check ~ending =
   { run with check = Some check; course = Option.map (fun c -> { c with ending }) run.course }
 

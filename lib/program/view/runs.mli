@@ -62,6 +62,10 @@ val run : string -> about option -> course option -> t
 val none : name:string -> about -> t
 (** A check whose verdict no single run shows. *)
 
+val with_leaves : Tables.t -> of_document:Model.t -> Model.t -> t -> t
+(** [with_leaves tables ~of_document own run] is the run of a model [own] that may have other leaves than the model
+    of the document: leaves may depend on parameters. *)
+
 val about : t -> about -> ending:string list -> t
 (** [about run check ~ending] is the run for a check whose verdict no single run shows, from a start about which
     the verdict is. *)

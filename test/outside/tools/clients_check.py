@@ -13,6 +13,17 @@ from common import MODELS, absent
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "clients", "examples")
 CHOSEN = ["hexokinase", "chain", "cradle", "dimer", "ring", "far"]  # their runs of first choices end
+# What stands for the oracle, and what is said of it.
+FAULTS = [
+    ("absent", None, "cannot be started"),
+    ("dead", "exit 3\n", "scc oracle has ended"),
+    ("killed", "read -r line\nkill -9 $$\n", "scc oracle has ended"),
+    ("silent", "exec sleep 600\n", "has not answered"),
+    ("slow", "read -r line\nread -r line\nexec sleep 600\n", "has not answered"),
+    ("babbling", "read -r line\necho 'Hello!'\ncat > /dev/null\n", "what is no JSON"),
+    ("shy", "cat > /dev/null\n", "scc oracle has"),
+    ("half", "read -r line\nprintf '{\"jsonrpc\": '\nexit 0\n", "scc oracle has"),
+]
 
 
 def wanted(scc, model):
@@ -61,6 +72,20 @@ def main():
         else:
             failed += 1
             print(f"{client[0]}, a model that is refused: {done.returncode} {done.stderr}")
+    for name, script, said in FAULTS:
+        fault = os.path.join(sys.argv[2], name)
+        if script is not None:
+            with open(fault, "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\n" + script)
+            os.chmod(fault, 0o755)
+        for client in clients:
+            done = subprocess.run([*client, fault, os.path.join(MODELS, "far.sc"), "3"], capture_output=True, text=True, timeout=300, check=False)
+            # One line of words, no trace of a stack.
+            if done.returncode == 1 and said in done.stderr and len(done.stderr.splitlines()) <= 2 and "    at " not in done.stderr:
+                passed += 1
+            else:
+                failed += 1
+                print(f"{client[0]}, {name}: {done.returncode} {done.stderr}")
     print(f"{passed} passed, {failed} failed")
     return 1 if failed else 0
 

@@ -52,6 +52,10 @@ let completion =
     case "values of a setting" (just "dynamics " [ "constant_spin"; "free_body" ]);
     case "events" (just "check c : event " [ "bind"; "weak"; "strong"; "split"; "bounce"; "absorb"; "hit" ]);
     case "formulas" (among "check c : " [ "always"; "eventually"; "bound"; "one" ] []);
+    case "no declarations in a formula"
+      (among "check c : " [] [ "process"; "shape"; "import"; "motion"; "velocity" ]);
+    case "nor later in it"
+      (among "check c : always (true and " [] [ "process"; "compound"; "split_step"; "scaled" ]);
     case "laws" (among "motion one = (" [ "vx"; "time"; "dt" ] [ "bound" ]);
     case "what a module brings" (just "import \"parts.sc\" as m\nprocess two = m." [ "Tile"; "Pin"; "width" ]);
     case "features of what a module brings"

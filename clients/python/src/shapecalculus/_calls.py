@@ -42,6 +42,10 @@ def _named(diagnostics: Sequence[Diagnostic], argument: str) -> Tuple[Diagnostic
     return tuple(map(renamed, diagnostics))
 
 
+#: The exit code where a file beside the result cannot be written.
+UNWRITTEN = 74
+
+
 def _read(path: Path) -> bytes:
     try:
         with open(path, "rb") as file:
@@ -64,16 +68,20 @@ def _result(done: Done, name: str, file: Optional[Path], given: Source, argument
         diagnostics = _named(diagnostics, argument)
     text = done.messages or "\n".join(map(str, diagnostics))
     refused = document is not None and document.get("format") == "scc-diagnostics"
-    if not refused and output and done.code in (0, 1, 2, 3, 4, 74):
+    if not refused and output and done.code in (0, 1, 2, 3, 4, UNWRITTEN):
         said = document is not None and any(
             bound["limit"] == "interrupted" for bound in document.get("explored", {}).get("stopped_by", [])
         )
         interrupted = done.code == 4 and (done.asked or said or "interrupted" in done.messages)
         try:
-            return make(Run(tuple(done.command), done.code, interrupted, output, done.messages, diagnostics))
+            result = make(Run(tuple(done.command), done.code, interrupted, output, done.messages, diagnostics))
+            if done.code != UNWRITTEN:
+                return result
         except (ValueError, LookupError, TypeError, AttributeError, RecursionError) as error:
             if not done.asked:
                 raise ServiceError("what scc %s says is no table or report: %s" % (name, error)) from error
+        else:
+            raise CommandFailed(name, done.code, diagnostics, text, result)
     if done.asked:
         raise KeyboardInterrupt
     raise CommandFailed(name, done.code, diagnostics, text)

@@ -6,7 +6,7 @@ import json
 import secrets
 import time
 from dataclasses import dataclass, field
-from typing import Any, Callable, Dict, List, Optional, Sequence
+from typing import Any, Callable, Dict, List, Optional, Sequence, Set
 
 from ._files import BadFile, CannotKeep, Folder
 from ._owner import Owner
@@ -60,7 +60,9 @@ def owner_class(ray: Any) -> Any:
         def __init__(self, number: int, count: int, of_model: Sequence[Any], digest: str, folder: Any, here: bool):
             self.number, self.count, self.of_model, self.folder = number, count, of_model, folder
             self.digest = digest
-            self.here, self.owner, self.saved = here, None, {}
+            self.here = here
+            self.owner: Any = None
+            self.saved: Dict[int, Set[int]] = {}
 
         def start(self) -> str:
             """A new process. Where the others call it."""
@@ -68,7 +70,8 @@ def owner_class(ray: Any) -> Any:
                 self.owner.close()
             self.saved = {}
             address = "127.0.0.1" if self.here else ray.util.get_node_ip_address()
-            self.owner = Owner(self.number, self.count, *self.of_model, address, self.folder, self.kept)
+            arguments = [self.number, self.count, *self.of_model, address, self.folder, self.kept]
+            self.owner = Owner(*arguments)
             if self.owner.header["digest"] != self.digest:
                 self.owner.close()
                 raise FilterFailed("%s is another text here than where the check was asked for" % self.of_model[0])

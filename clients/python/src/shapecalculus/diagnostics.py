@@ -76,9 +76,12 @@ def of_messages(messages: str) -> Tuple[Diagnostic, ...]:
 class CommandFailed(ServiceError):
     """A command of scc has no result. ``exit_code`` says why: 3, an input is invalid; 64, an option is wrong; 4, a limit
     of the system; 70, a fault of scc; 74, an output cannot be written; negative: a signal. ``code``, ``place`` and
-    ``message`` are those of the first error, and all are in ``diagnostics``. ``text`` is what scc has said."""
+    ``message`` are those of the first error, and all are in ``diagnostics``. ``text`` is what scc has said. ``result``: what it has
+    found, where only a file beside it cannot be written; else None."""
 
-    def __init__(self, command: str, exit_code: int, diagnostics: Tuple[Diagnostic, ...], text: str) -> None:
+    def __init__(
+        self, command: str, exit_code: int, diagnostics: Tuple[Diagnostic, ...], text: str, result: Any = None
+    ) -> None:
         errors = [d for d in diagnostics if d.severity == "error"]
         how = " (signal %d)" % -exit_code if exit_code < 0 else " (exit code %d)" % exit_code
         said = "\n".join(map(str, errors)) or text.strip()
@@ -87,9 +90,10 @@ class CommandFailed(ServiceError):
         self.exit_code = exit_code
         self.diagnostics = diagnostics
         self.text = text
+        self.result = result
         self.code: Optional[str] = errors[0].code if errors else None
         self.place: Optional[Place] = errors[0].place if errors else None
         self.message: str = errors[0].message if errors else said
 
     def __reduce__(self) -> Tuple[Any, ...]:
-        return (type(self), (self.command, self.exit_code, self.diagnostics, self.text))
+        return (type(self), (self.command, self.exit_code, self.diagnostics, self.text, self.result))

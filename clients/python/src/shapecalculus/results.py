@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from typing import Any, Dict, Iterator, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _display, _plots, frames, numbers
@@ -287,42 +288,76 @@ class TraceStep:
 _TRACE = ("step", "time", "event", "body", "x", "y", "z", "behaviour")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Traced(Result):
     """A run of a model, from its ``initial`` state. ``last``: the state in which it was left. ``ending``: ``"open"``
     (at a bound), ``"quiescent"``, ``"stuck"``, ``"zeno"`` or ``"interrupted"``; None if it has no end. With ``human``
-    or ``itf`` there is only ``run.text``."""
+    or ``itf`` there is only ``run.text``. What a long run has is read when it is looked at."""
 
-    header: Json
-    initial: Optional[State]
-    steps: Tuple[TraceStep, ...]
-    last: Optional[State]
-    time: Optional[Fraction]
-    ending: Optional[str]
-    lines: Tuple[Json, ...]
     run: Run
+    is_text: bool = False
 
     @classmethod
     def text_only(cls, run: Run) -> Traced:
-        return cls({}, None, (), None, None, None, (), run)
+        return cls(run, True)
 
     @classmethod
     def made(cls, run: Run) -> Traced:
-        lines = documents(run.output)
-        steps = tuple(TraceStep.from_json(line) for line in lines if line["type"] == "transition")
-        states = [State.from_json(line["state"]) for line in lines if "state" in line]
-        ends = [line for line in lines if line["type"] == "end"]
-        times = [numbers.fraction(line["time"]) for line in lines if "time" in line]
-        return cls(
-            lines[0],
-            states[0] if states else None,
-            steps,
-            states[-1] if states else None,
-            times[-1] if times else None,
-            ends[-1]["ending"] if ends else None,
-            tuple(lines),
-            run,
-        )
+        made = cls(run)
+        # Whether it is a trace at all. Of a long one, what is looked at is read when it is looked at.
+        if made.header["format"] != "scc-trace" or made.ending is not None and made.time is None:
+            raise ValueError("no trace")
+        return made
+
+    @cached_property
+    def _texts(self) -> List[bytes]:
+        return [] if self.is_text else self.run.output.split(b"\n")[:-1]
+
+    def _latest(self, member: str) -> Any:
+        """A member of the last line that has it."""
+        for text in reversed(self._texts):
+            line = json.loads(text)
+            if member in line:
+                return line[member]
+        return None
+
+    @cached_property
+    def header(self) -> Json:
+        return {} if self.is_text else json.loads(self._texts[0])
+
+    @cached_property
+    def lines(self) -> Tuple[Json, ...]:
+        return tuple(json.loads(text) for text in self._texts)
+
+    @cached_property
+    def steps(self) -> Tuple[TraceStep, ...]:
+        return tuple(TraceStep.from_json(line) for line in self.lines if line["type"] == "transition")
+
+    @cached_property
+    def initial(self) -> Optional[State]:
+        for text in self._texts:
+            line = json.loads(text)
+            if "state" in line:
+                return State.from_json(line["state"])
+        return None
+
+    @cached_property
+    def last(self) -> Optional[State]:
+        state = self._latest("state")
+        return None if state is None else State.from_json(state)
+
+    @cached_property
+    def time(self) -> Optional[Fraction]:
+        time = self._latest("time")
+        return None if time is None else numbers.fraction(time)
+
+    @cached_property
+    def ending(self) -> Optional[str]:
+        last = json.loads(self._texts[-1]) if self._texts else {}
+        return last["ending"] if last.get("type") == "end" else None
+
+    def __repr__(self) -> str:
+        return self._line()
 
     def _states(self) -> Iterator[Tuple[int, Fraction, Optional[Label], State]]:
         if self.initial is not None:
@@ -355,7 +390,7 @@ class Traced(Result):
     def _line(self) -> str:
         if not self.header:
             return _display.line("traced", "a text of %d bytes" % len(self.run.output), self.interrupted)
-        said = "%d steps to time %s, %s" % (len(self.steps), _display.plain(self.time), self.ending)
+        said = "%d steps to time %s, %s" % (self._latest("step") or 0, _display.plain(self.time), self.ending)
         return _display.line("traced", said, self.interrupted)
 
     _repr_pretty_ = _display.pretty
