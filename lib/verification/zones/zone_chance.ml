@@ -259,7 +259,7 @@ let by_start w starts : Verdict.t =
   let is_open (p : Chances.part) = not (Chances.is_known p.value) in
   let some_open = List.exists (fun (_, (c : Chances.t)) -> List.exists is_open c.parts) starts in
   let reasons = if some_open then snd (reasons w) else [] in
-  Measured { values = List.map value starts; reasons; witness = None; curve = []; starts }
+  Measured { values = List.map value starts; reasons; inexact = None; witness = None; curve = []; starts }
 
 let of_sets w { holds; fails } =
   let where = Where.make w.ranges ~holds ~fails in
