@@ -101,7 +101,8 @@ let effort (surroundings : Scc_graph_search.Limits.surroundings) seconds cut_sho
     | Some s when s > float_of_int (default.steps / in_a_second) -> int_of_float (Float.min s 1e9) * in_a_second
     | Some _ | None -> default.steps
   in
-  { default with Scc_chance.Effort.interrupted; half; quarter; steps; not_exact = (fun why -> not_exact := Some why) }
+  let not_exact why = not_exact := Some why in
+  { default with Scc_chance.Effort.interrupted; half; quarter; steps; not_exact }
 
 let on ?(surroundings = Scc_graph_search.Limits.quiet) ?seconds asked ~rests graph =
   (* Formulas are evaluated one after the other, each in all states, and may be as many as bodies. *)

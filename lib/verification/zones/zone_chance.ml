@@ -67,6 +67,8 @@ type work = {
   mutable used : Chance_graph.t list;
   mutable explored : Chance_graph.t list;  (** those of [used] that no check has explored before *)
   mutable stop : Scc_graph_search.Limits.stop option;
+  mutable graphs : (Chance_claims.question * Chance_graph.t) list;  (** what was explored or taken over *)
+  mutable eighths : int;  (** of the layers of a graph that was given up for its time, so many count *)
 }
 
 exception Ill_formed of Start.fault
@@ -125,7 +127,7 @@ let explored_anew w (until : Chance_claims.question) =
   graph
 
 (* What was given up for its time is explored anew, in the time of another check. *)
-let explore w until =
+let explore_or_take w until =
   let s = w.shared and is_it = Chance_claims.same_question until in
   let graph =
     match List.find_opt (fun (q, _) -> is_it q) s.known with
@@ -137,7 +139,19 @@ let explore w until =
   let is_kept = List.exists is_it s.to_come && not (Chance_graph.met graph).stopped in
   s.known <- (if is_kept then (until, graph) :: others else others);
   w.used <- graph :: w.used;
-  graph
+  w.graphs <- (until, graph) :: w.graphs
+
+(* Once for each until of a check. *)
+let begin_with w until =
+  if List.exists (fun (q, _) -> Chance_claims.same_question until q) w.graphs then
+    w.shared.to_come <- without_first (Chance_claims.same_question until) w.shared.to_come
+  else explore_or_take w until
+
+let explore w until = snd (List.find (fun (q, _) -> Chance_claims.same_question until q) w.graphs)
+
+let most_layers w graph =
+  let all = Chance_graph.count_layers graph in
+  if (Chance_graph.met graph).stopped then ((w.eighths * all) + 7) / 8 else all
 
 let box w = Ranges.box w.ranges
 
@@ -150,7 +164,7 @@ let pieces w graph { Zone_question.negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
   let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
   let mode = { Chance_value.choice; chance } in
-  let f = Chance_value.solve graph mode ~parameters:(Array.length w.ranges) in
+  let f = Chance_value.solve ~most:(most_layers w graph) graph mode ~parameters:(Array.length w.ranges) in
   let known = function
     | p, Some (v : Piecewise.value) ->
       if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
@@ -282,7 +296,8 @@ exception Unknown_somewhere
 
 (* The ends of a mean on pieces that divide the box. Where all is known, one of them is enough. *)
 let mean_ends w graph s =
-  let f unknown = Chance_mean.solve graph { choice = side s; unknown } ~parameters:(Array.length w.ranges) in
+  let parameters = Array.length w.ranges and most = most_layers w graph in
+  let f unknown = Chance_mean.solve ~most graph { choice = side s; unknown } ~parameters in
   let pieces box f = Affine.pieces box f in
   let known = function
     | Some v -> v
@@ -347,13 +362,42 @@ let answer w (check : Property.check) =
       | Operator o -> (measured w sides o, unknown w.ranges)
       | Now _ | Not _ | All _ | Some_of _ -> Bug.fail __POS__ "a probability of no operator")
 
+(* Values of what was explored may take longer than there is time for. Then those of its first layers are known, and
+   of as many of them as are solved in time. *)
+let shares = [ 1; 2; 3; 4; 6; 8 ]
+
+let answer_in_time w (check : Property.check) =
+  let around = w.options.Setup.surroundings in
+  let with_share eighths () =
+    w.eighths <- eighths;
+    answer w check
+  in
+  List.iter (begin_with w) (Zone_question.untils_of check);
+  if not (List.exists (fun g -> (Chance_graph.met g).stopped) w.used) then answer w check
+  else
+    let rec further best = function
+      | [] -> best
+      | share :: rest -> (
+          match around.attempt.run Exploring (with_share share) with
+          | Ok found -> further (Some found) rest
+          | Error _ -> best)
+    in
+    match further None shares with
+    | Some found -> found
+    | None -> (
+        (* Nothing but the time of conclusions is left. *)
+        match (around.share ~mine:2 ~all:3).attempt.run Concluding (with_share 8) with
+        | Ok found -> found
+        | Error _ -> with_share (List.hd shares) ())
+
 type result = { verdict : Verdict.t; where : Where.t; stats : Stats.t }
 
 let check (options : Setup.t) shared semantics context u ~declared (check : Property.check) =
   let m = Semantics.model semantics in
   let initial = Network.started semantics declared in
   let zones ~keeps_time = Start.zones context u ~initial ~keeps_time in
-  let w = { options; context; zones; ranges = m.ranges; shared; used = []; explored = []; stop = None } in
+  let w = { options; context; zones; ranges = m.ranges; shared; used = []; explored = []; stop = None;
+            graphs = []; eighths = 8 } in
   let without reason faults =
     let stopped_by = match reason with Verdict.Truncated t -> [ t ] | _ -> [] in
     let stats = { (stats w ~faults) with complete = false; stopped_by } in
@@ -363,7 +407,7 @@ let check (options : Setup.t) shared semantics context u ~declared (check : Prop
     let d = Transition.diagnostic ~at m fault in
     without (Verdict.Fault d.message) [ d ]
   in
-  match sure w Concluding (fun () -> answer w check) with
+  match sure w Concluding (fun () -> answer_in_time w check) with
   | verdict, where -> Ok { verdict; where; stats = stats w ~faults:[] }
   | exception Limits.Over stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
   | exception Ill_formed fault -> Error fault
