@@ -5,9 +5,9 @@
 
    test_chance [MODELS [SEED]]
 
-   With FINE=16 in the environment models with bonds that break at any time are tried, and no others. Their values are
-   those with as many instants in a unit of time, at starts that are multiples of 1/4: what changes with the instant
-   changes at multiples of 1/8, so that the grid has an instant between them. *)
+   With FINE=16 in the environment models with bonds that break at any time are tried, and no others. Their values
+   are those with as many instants in a unit of time, at starts that are multiples of 1/4: what changes with the
+   instant changes at multiples of 1/8, so that the grid has an instant between them. *)
 
 open Scc_exact
 open Scc_polyhedra
@@ -154,8 +154,11 @@ let points random (l : Loaded.t) (report : Check.report) =
       let w = List.hd report.where in
       [ w.holds; w.fails ]
   in
-  let coarse point = Option.is_none fine || Array.for_all (fun (x : Rat.t) -> Z.divisible (Z.of_int 4) x.den) point in
-  List.filter (fun p -> in_range p && coarse p) (List.init 12 (fun _ -> random_point ()) @ List.concat_map of_set sets)
+  let is_coarse (x : Rat.t) = Z.divisible (Z.of_int 4) x.den in
+  let coarse point = Option.is_none fine || Array.for_all is_coarse point in
+  List.filter
+    (fun p -> in_range p && coarse p)
+    (List.init 12 (fun _ -> random_point ()) @ List.concat_map of_set sets)
 
 (* {1 Means} *)
 

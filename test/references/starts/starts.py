@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Chance over starts against brute force in fractions, which shares no code with scc.
 
-    starts.py SCC [--count N] [--seed S] [--points P] [--steady-only]
+    starts.py SCC [--count N] [--seed S] [--points P]
 
 A model has one or two cubes on a line, or one in a plane, between walls that throw back or take in. Each draws its
 velocity at every step; weights may be 0, or depend on the place. `scc check --where --json` gives probabilities and
