@@ -367,3 +367,26 @@ What depends on the state is found when it comes up: here at x = 0, for k = 1/2.
   $ scc check refused.sc --parametric k --where
   scc: --where does not go with --parametric
   [64]
+
+Two summands that are one term at a single value of k: there a lot stays, and the function would be wrong.
+
+  $ cat > equal.sc <<'SC'
+  > import <solids>
+  > param k in (0, 1)
+  > split_step 1
+  > behaviour A on solids.Cube(1) = omega(bond, {right}) chance (1 - k). Quick + omega(m, {left}) chance k. Won
+  > behaviour B on solids.Cube(1) = omega(bond, {left}). nil
+  > behaviour Quick on solids.Cube(1) = omega(m, {left}) chance (1 - k). Won
+  > behaviour Won on solids.Cube(1) = nil
+  > behaviour C on solids.Cube(1) = omega(m, {right}). nil
+  > process c = solids.Cube(1) mass 1 at translate (-1, 0, 0) [C]
+  > process a = solids.Cube(1) mass 1 [A]
+  > process b = solids.Cube(1) mass 1 at translate (1, 0, 0) [B]
+  > bond <bond, {a.right, b.left}>
+  > bond <m, {c.right, a.left}>
+  > check c : E = ? [ bonds(m) at 1 ]
+  > SC
+  $ scc check equal.sc --parametric k
+  $ scc check equal.sc --parametric k -D 'k=(1/2, 1)' | grep '^c:'
+  $ scc check equal.sc -D k=2/3 | grep '^c:'
+  $ scc check equal.sc -D k=1/2 | grep '^c:'
