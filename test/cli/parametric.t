@@ -387,6 +387,15 @@ Two summands that are one term at a single value of k: there a lot stays, and th
   > check c : E = ? [ bonds(m) at 1 ]
   > SC
   $ scc check equal.sc --parametric k
+  equal.sc:1:1: error[SC0208]: `chance k` and `chance -k + 1` are equal for k = 1/2: there two summands are the same term, and a lot that was drawn by one of them stays for the other
+     |
+   1 | import <solids>
+     | ^
+    hint: a narrower range, as by `-D 'k=(LOW, HIGH)'`, may leave such values out
+  [3]
   $ scc check equal.sc --parametric k -D 'k=(1/2, 1)' | grep '^c:'
+  c: -(1/2)k^2 - (1/2)k + 1, for k in (1/2, 1), at split step 1
   $ scc check equal.sc -D k=2/3 | grep '^c:'
+  c: 4/9, at split step 1
   $ scc check equal.sc -D k=1/2 | grep '^c:'
+  c: 1/2, at split step 1

@@ -262,7 +262,7 @@ def solved(report, line):
     return wrong, compared
 
 
-EQUAL = re.compile(r"are equal for k = (\d+(?:/\d+)?): there two summands")
+EQUAL = re.compile(r"are equal for k = (?:root of .* in \((\S+), (\S+)\),[^:]*|(\S+)): there two summands")
 
 
 def without_equal(scc, path, low, high):
@@ -274,11 +274,11 @@ def without_equal(scc, path, low, high):
             found = EQUAL.search(str(error))
             if found is None:
                 raise
-            x = Fraction(found[1])
-            if not low < x < high:
+            left, right = (Fraction(found[i] or found[3]) for i in (1, 2))
+            if not low < right or not left < high:
                 raise
             # the longer one of both sides
-            low, high = (x, high) if high - x >= x - low else (low, x)
+            low, high = (right, high) if high - right >= left - low else (low, left)
     raise RuntimeError("no range is without such values")
 
 
