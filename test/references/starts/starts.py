@@ -57,7 +57,7 @@ class Model:
             else:
                 self.ranges[name] = (max(low, self.bottom), min(high, self.top))
         self.gone = any(self.absorb.values())
-        # Steps that a collision ends: at a wall a cube may draw many times within an instant.
+        # Steps that a collision ends.
         self.steady = self.kind != "line" or rng.random() < 0.7
         self.steps = 3 if self.kind == "two" or not self.steady else 4
         self.horizon = pick(rng, [k * self.step / 2 for k in range(1, 2 * (self.steps - 1) + 1)])
@@ -292,7 +292,8 @@ class Runs:
         return Q(0) if self.rest == "least" else Q(1)
 
     def instant(self, bodies, time, event, before, count, due, depth, ends):
-        """From a state, at an instant of which the draws are due or have been made. [ends] is when the step ends."""
+        """From a state, at an instant of which draws are due or not, or have been made (None): that is once in an
+        instant. [ends] is when the step ends."""
         if depth > 24 and not self.m.steady:
             return self.after_many(time)
         if depth > 60:
@@ -311,7 +312,7 @@ class Runs:
         if hits:
             values = [
                 self.instant(after, time, (kind, names), before, count + (kind == "bounce"),
-                             due or not self.m.steady, depth + 1, ends)
+                             due if due is None else due or not self.m.steady, depth + 1, ends)
                 for kind, names, after in hits
             ]
             return self.best(values)
@@ -340,7 +341,7 @@ class Runs:
                 total += chance * self.drawn(bodies, time, rest, now, ok, count, depth)
             else:
                 after = {n: (bodies[n][0], bodies[n][1], *now[n]) for n in bodies}
-                total += chance * self.instant(after, time, None, before, count, False, depth + 1, time + self.m.step)
+                total += chance * self.instant(after, time, None, before, count, None, depth + 1, time + self.m.step)
         return total
 
     def flow(self, bodies, time, before, count, ends):
