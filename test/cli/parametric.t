@@ -367,3 +367,35 @@ What depends on the state is found when it comes up: here at x = 0, for k = 1/2.
   $ scc check refused.sc --parametric k --where
   scc: --where does not go with --parametric
   [64]
+
+Two summands that are one term at a single value of k: there a lot stays, and the function would be wrong.
+
+  $ cat > equal.sc <<'SC'
+  > import <solids>
+  > param k in (0, 1)
+  > split_step 1
+  > behaviour A on solids.Cube(1) = omega(bond, {right}) chance (1 - k). Quick + omega(m, {left}) chance k. Won
+  > behaviour B on solids.Cube(1) = omega(bond, {left}). nil
+  > behaviour Quick on solids.Cube(1) = omega(m, {left}) chance (1 - k). Won
+  > behaviour Won on solids.Cube(1) = nil
+  > behaviour C on solids.Cube(1) = omega(m, {right}). nil
+  > process c = solids.Cube(1) mass 1 at translate (-1, 0, 0) [C]
+  > process a = solids.Cube(1) mass 1 [A]
+  > process b = solids.Cube(1) mass 1 at translate (1, 0, 0) [B]
+  > bond <bond, {a.right, b.left}>
+  > bond <m, {c.right, a.left}>
+  > check c : E = ? [ bonds(m) at 1 ]
+  > SC
+  $ scc check equal.sc --parametric k
+  equal.sc:1:1: error[SC0208]: `chance k` and `chance -k + 1` are equal for k = 1/2: there two summands are the same term, and a lot that was drawn by one of them stays for the other
+     |
+   1 | import <solids>
+     | ^
+    hint: a narrower range, as by `-D 'k=(LOW, HIGH)'`, may leave such values out
+  [3]
+  $ scc check equal.sc --parametric k -D 'k=(1/2, 1)' | grep '^c:'
+  c: -(1/2)k^2 - (1/2)k + 1, for k in (1/2, 1), at split step 1
+  $ scc check equal.sc -D k=2/3 | grep '^c:'
+  c: 4/9, at split step 1
+  $ scc check equal.sc -D k=1/2 | grep '^c:'
+  c: 1/2, at split step 1

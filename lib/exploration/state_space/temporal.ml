@@ -17,6 +17,7 @@ type t = {
   eval : Scc_ctl.Eval.t;
   uses : Scc_ctl.Eval.uses;
   cut_short : bool ref;  (** whether the time was over for what was computed of the present formula *)
+  not_exact : Scc_chance.Lifting.given_up option ref;  (** why exact values were given up for it *)
 }
 
 (* With predicates for the times after which a goal is not met any more. *)
@@ -74,22 +75,36 @@ let timed_graph context ~rests g : Timed_graph.t =
   in
   { size; known; edges; drawn = drawn context g; flow }
 
+(* So many products of small numbers are made in a second. *)
+let in_a_second = 1 lsl 28
+
+(* And in the time of conclusions, of which intervals have the rest. *)
+let at_the_end = 1 lsl 24
+
 (* Work that begins when the time of explorations is over has none but that of conclusions. *)
-let effort (surroundings : Scc_graph_search.Limits.surroundings) cut_short : Scc_chance.Effort.t =
+let effort (surroundings : Scc_graph_search.Limits.surroundings) seconds cut_short not_exact =
   let over (s : Scc_graph_search.Limits.surroundings) =
     let is_over () = Option.is_some (s.stop ()) in
     if is_over () then Fun.const false else is_over
   in
-  let half () = over (surroundings.half ()) in
+  let half () = over (surroundings.half ()) and quarter () = over ((surroundings.half ()).half ()) in
   let over = over surroundings in
   let interrupted () =
     let now = over () in
     if now then cut_short := true;
     now
   in
-  { Scc_chance.Effort.default with interrupted; half }
+  let default = Scc_chance.Effort.default in
+  let steps =
+    match seconds with
+    | _ when Option.is_some (surroundings.stop ()) -> at_the_end
+    | Some s when s > float_of_int (default.steps / in_a_second) -> int_of_float (Float.min s 1e9) * in_a_second
+    | Some _ | None -> default.steps
+  in
+  let not_exact why = not_exact := Some why in
+  { default with Scc_chance.Effort.interrupted; half; quarter; steps; not_exact }
 
-let on ?(surroundings = Scc_graph_search.Limits.quiet) asked ~rests graph =
+let on ?(surroundings = Scc_graph_search.Limits.quiet) ?seconds asked ~rests graph =
   (* Formulas are evaluated one after the other, each in all states, and may be as many as bodies. *)
   let room = Array.copy (Network_lts.initial asked.context) in
   let read node =
@@ -109,17 +124,20 @@ let on ?(surroundings = Scc_graph_search.Limits.quiet) asked ~rests graph =
     }
   in
   let index = Timed_graph.index (timed_graph asked.context ~rests graph) in
-  let cut_short = ref false in
-  let eval = Scc_ctl.Eval.create ~effort:(effort surroundings cut_short) ~still:asked.still index predicates in
-  { asked; graph; eval; uses = Scc_ctl.Eval.uses eval asked.formulas; cut_short }
+  let cut_short = ref false and not_exact = ref None in
+  let effort = effort surroundings seconds cut_short not_exact in
+  let eval = Scc_ctl.Eval.create ~effort ~still:asked.still index predicates in
+  { asked; graph; eval; uses = Scc_ctl.Eval.uses eval asked.formulas; cut_short; not_exact }
 
 let origin = Scc_ctl.Positions.start 0
 let truth t i = Scc_ctl.Eval.truth t.eval t.asked.formulas.(i) origin
 
 let is_cut_short t = !(t.cut_short)
+let not_exact t = !(t.not_exact)
 
 let done_with t i =
   t.cut_short := false;
+  t.not_exact := None;
   Scc_ctl.Eval.done_with t.eval t.uses i
 
 let explain t i = Explanation.explain t.eval t.asked.formulas.(i) origin

@@ -14,11 +14,13 @@ type t
 (** Formulas on a graph. *)
 
 val on :
-  ?surroundings:Scc_graph_search.Limits.surroundings -> asked -> rests:(int array -> bool) -> State_graph.t -> t
-(** [on ?surroundings asked ~rests graph] evaluates the formulas on [graph]. States that have not been expanded
-    count as unexplored. [rests] is true for a state without transitions in which time passes for ever.
+  ?surroundings:Scc_graph_search.Limits.surroundings ->
+  ?seconds:float ->
+  asked -> rests:(int array -> bool) -> State_graph.t -> t
+(** [on ?surroundings ?seconds asked ~rests graph] evaluates the formulas on [graph]. States that have not been
+    expanded count as unexplored. [rests] is true for a state without transitions in which time passes for ever.
     Probabilities that take longer than the surroundings (default: {!Scc_graph_search.Limits.quiet}) allow are
-    intervals. *)
+    intervals. Exact values may take as much work as fits into so many seconds, and some in any case. *)
 
 val truth : t -> int -> bool option
 (** The truth of the formula with this index in the initial state; [None] if it is undecided. *)
@@ -30,6 +32,10 @@ val done_with : t -> int -> unit
 val is_cut_short : t -> bool
 (** [is_cut_short t] is true if a probability or mean that was computed since {!done_with} was called, or ever, is
     less well known than it would be with more time. *)
+
+val not_exact : t -> Scc_chance.Lifting.given_up option
+(** [not_exact t] is the reason why exact values of a probability or mean were given up for intervals, since
+    {!done_with} was called, or ever; [None] if none were. *)
 
 val is_chain : t -> bool
 (** [is_chain t] is true if no state of the graph leaves a choice ({!Scc_ctl.Timed_graph.is_chain}): then least and

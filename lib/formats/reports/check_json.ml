@@ -237,6 +237,8 @@ let property_members =
          ]);
     field "reasons" (list reason) (fun j -> List.map (fun r -> (j, r)) (reasons j.outcome.verdict))
       ~about:"Why it is undecided, or why a number that was asked for is not better known.";
+    maybe "inexact" some_text (fun j -> Verdict.inexact j.outcome.verdict)
+      ~about:"Why a number is an interval and no fraction, where nothing was left out.";
     field "witness" (nullable Witness_json.format) (fun j -> Option.map (witness_of j) (run j.outcome.verdict));
     maybe "otherwise" Witness_json.otherwise
       (fun j -> Option.bind (Option.map (witness_of j) (run j.outcome.verdict)) Witness_json.contrast)

@@ -12,6 +12,8 @@ type t = {
   bound : Answer.bound option;
   interrupted : unit -> bool;
   half : unit -> unit -> bool;
+  quarter : unit -> unit -> bool;
+  not_exact : Lifting.given_up -> unit;
 }
 
 let default =
@@ -25,6 +27,8 @@ let default =
     bound = None;
     interrupted = (fun () -> false);
     half = (fun () () -> false);
+    quarter = (fun () () -> false);
+    not_exact = ignore;
   }
 
 let most_layers e = 16 * e.layers

@@ -19,13 +19,16 @@ type t = {
   bound : Answer.bound option;  (** for intervals: one that decides this bound is good enough, too *)
   interrupted : unit -> bool;  (** called now and then: [true] ends the computation with its present results *)
   half : unit -> unit -> bool;
-  (** [half ()] is [interrupted] for work that begins now and may take half of the time that is left: exact values,
-      where intervals are computed after them. *)
+  (** [half ()] is [interrupted] for work that begins now and may take half of the time that is left. *)
+  quarter : unit -> unit -> bool;  (** the same for a quarter *)
+  not_exact : Lifting.given_up -> unit;
+  (** called where the engine [Either] gives intervals, with the reason why exact values were given up *)
 }
 
 val default : t
 (** [Either], with numbers of 200 000 bits, 2{^30} steps and 20 000 instants. Intervals have an absolute width of
-    10^-6 and no bound. It is never interrupted. *)
+    10^-6 and no bound. It is never interrupted, and tells
+    nobody. *)
 
 val most_layers : t -> int
 (** The greatest number of instants that are worked through: 16 times [layers]. *)

@@ -19,6 +19,9 @@ type t = {
 
 let stride = 100_000
 
+(* So many products of floats are made however little time there is, since they take a tenth of a second. *)
+let in_any_case = 1 lsl 24
+
 (* Whether the interval of a node is so narrow that floats show it: they err by less than 2^-40 of a number that
    is not tiny. *)
 let clearly_narrow t v =
@@ -56,6 +59,7 @@ type part = { first : int; last : int }
 let size part = part.last - part.first + 1
 
 let start (e : Equations.t) (effort : Effort.t) ~upper ~asked =
+  let entries = Equations.first_entry e (Equations.first_row e e.size) in
   {
     e;
     effort;
@@ -68,5 +72,5 @@ let start (e : Equations.t) (effort : Effort.t) ~upper ~asked =
     few = Array.length asked <= 16;
     fresh = true;
     work = 0;
-    next = stride;
+    next = Int.max stride (in_any_case / (1 + (entries / Int.max 1 e.size)));
   }

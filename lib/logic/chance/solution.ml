@@ -21,7 +21,7 @@ type nodes = { of_node : int -> Answer.t; row : int -> int; how : found }
 let exactly (s : Exact_solver.solution) =
   { of_node = (fun v -> Answer.Exact s.value.(v)); row = Array.get s.row; how = In_rationals }
 
-let nearly e effort ~possible ~rewards ~asked not_exact =
+let nearly e effort ~possible ~rewards ~asked =
   let upper = if rewards then infinity else 1. in
   let s = Interval_solver.solve e effort ~upper ~asked in
   let of_node v : Answer.t =
@@ -29,7 +29,7 @@ let nearly e effort ~possible ~rewards ~asked not_exact =
     | low, None -> if Rat.sign low = 0 then possible else At_least low
     | low, Some high -> if Rat.equal low high then Exact low else Within (low, high)
   in
-  { of_node; row = Array.get s.row; how = In_intervals { sweeps = s.sweeps; not_exact } }
+  { of_node; row = Array.get s.row; how = In_intervals { sweeps = s.sweeps; not_exact = None } }
 
 (* Below this size of all components exact values take no longer than intervals. *)
 let small = 1_000
@@ -55,36 +55,43 @@ let looking (effort : Effort.t) looks =
   { effort with interrupted }
 
 let nodes (e : Equations.t) (effort : Effort.t) ~possible ~rewards ~asked =
-  let nearly_within effort = nearly e effort ~possible ~rewards ~asked in
-  let nearly = nearly_within effort in
+  let nearly effort = nearly e effort ~possible ~rewards ~asked in
   if e.size = 0 then { of_node = (fun _ -> possible); row = (fun _ -> 0); how = By_graph }
   else
     match effort.engine with
-    | Nearly -> nearly None
+    | Nearly -> nearly effort
     | Exactly -> (
         match Exact_solver.solve e effort with
         | Ok s -> exactly s
         | Error why ->
           { of_node = (fun _ -> possible); row = (fun v -> Equations.first_row e v); how = Given_up why })
     | Either -> (
-        let exactly_or other =
-          match Exact_solver.solve e { effort with interrupted = effort.half () } with
-          | Ok s -> exactly s
-          | Error why -> other (Some why)
+        let exactly_or_nearly () =
+          let given_up = ref None in
+          let not_exact why =
+            given_up := Some why;
+            effort.not_exact why
+          in
+          let exactly effort = Result.map exactly (Exact_solver.solve e effort) in
+          let enough n = Option.fold ~none:false ~some:(fun bound -> decided n bound asked) effort.bound in
+          let found = Exact_first.run { effort with not_exact } ~exactly ~nearly ~enough in
+          match found.how with
+          | In_intervals { sweeps; _ } -> { found with how = In_intervals { sweeps; not_exact = !given_up } }
+          | By_graph | In_rationals | Given_up _ -> found
         in
         match effort.bound with
         | Some bound when has_large_part e ->
           let rec turn = function
-            | [] -> exactly_or nearly
+            | [] -> exactly_or_nearly ()
             | (steps, looks) :: rest -> (
                 match Exact_solver.solve e { effort with steps = Int.min steps effort.steps } with
                 | Ok s -> exactly s
                 | Error (Interrupted | Too_long | Too_much) ->
-                  let found = nearly_within (looking effort looks) None in
+                  let found = nearly (looking effort looks) in
                   if decided found bound asked then found else turn rest)
           in
           turn turns
-        | Some _ | None -> exactly_or nearly)
+        | Some _ | None -> exactly_or_nearly ())
 
 (* In a merged component the state that has the chosen choice is gone to, by internal choices. *)
 let spread back (e : Equations.t) (merged : Components.ends) row (choice : int array) =

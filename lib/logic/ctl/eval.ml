@@ -212,9 +212,11 @@ let interval t effort side bound f g position =
   let question generous side_of : Likelihood.question =
     { graph = graph t; side; bound; f = side_of f; g = side_of g; generous }
   in
-  let low = Likelihood.at (question false (fun v -> v.lower)) effort position in
-  if all_known t f g then (low, low)
-  else (low, Likelihood.at (question true (fun v -> v.upper)) effort position)
+  let low = question false (fun v -> v.lower) in
+  if all_known t f g then
+    let answer = Likelihood.at low effort position in
+    (answer, answer)
+  else Likelihood.at_both low (question true (fun v -> v.upper)) effort position
 
 let measure t { decide; side; formula; position } =
   match as_until t formula with

@@ -56,7 +56,7 @@ let mean_until e side ~bound ~earns g =
   let value = Eval.value e g in
   let still = Eval.value e (Eval.still e g) in
   let enclosed = ref false in
-  let answer ~up =
+  let process ~up =
     let f = if up then still.lower else still.upper and g = if up then value.lower else value.upper in
     let q = { graph; side; bound = all_time; f; g; generous = not up } in
     let w = window q in
@@ -66,11 +66,19 @@ let mean_until e side ~bound ~earns g =
       { branch with reward = (if up then high else low) }
     in
     let choices p = List.map (List.map (earning p)) (choices q w p) in
-    solve side effort (build ~choices [ next q w (place w 0 Rat.zero) ])
+    build ~choices [ next q w (place w 0 Rat.zero) ]
   in
-  let least = answer ~up:false in
-  let same = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !enclosed in
-  Known { least; most = (if same then least else answer ~up:true) }
+  let low = process ~up:false in
+  let least = solve side effort low in
+  let all_known = value.lower == value.upper && Timed_graph.complete (Eval.index e) && not !enclosed in
+  (* What is not known may be nothing that matters. *)
+  let most =
+    if all_known then least
+    else
+      let high = process ~up:true in
+      if same_process low high then least else solve side effort high
+  in
+  Known { least; most }
 
 (* {1 A number at a time} *)
 

@@ -189,16 +189,17 @@ let exactly t (effort : Effort.t) { use } =
   else use (Arithmetic.rational ~bits)
 
 let solve t (effort : Effort.t) =
-  let exact () =
-    let found = exactly t effort { use = (fun numbers -> values t effort numbers) } in
-    map (fun _ x -> Answer.Exact x) found
+  let exact effort =
+    match exactly t effort { use = (fun numbers -> values t effort numbers) } with
+    | found -> Ok (map (fun _ x -> Answer.Exact x) found)
+    | exception Interrupted -> Error Lifting.Interrupted
+    | exception Arithmetic.Too_long -> Error Too_long
   in
-  try
-    match effort.engine with
-    | Nearly -> enclosed t effort
-    | Exactly -> exact ()
-    | Either -> ( try exact () with Arithmetic.Too_long -> enclosed t effort)
-  with Interrupted | Arithmetic.Too_long -> unknown t
+  let nearly effort = try enclosed t effort with Interrupted -> unknown t in
+  match effort.engine with
+  | Nearly -> nearly effort
+  | Exactly -> Result.value (exact effort) ~default:(unknown t)
+  | Either -> Exact_first.run effort ~exactly:exact ~nearly ~enough:(Fun.const false)
 
 (* {1 Runs} *)
 

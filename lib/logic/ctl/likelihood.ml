@@ -121,6 +121,20 @@ let at q effort position =
   let process = solve q effort w (nexts choices) in
   best q.side (List.map (value process) (nexts choices))
 
+(* What is not known may be nothing that matters: then one solution is both. *)
+let at_both low high effort position =
+  let w, choices = from low position in
+  let process = solve low effort w (nexts choices) in
+  let least = best low.side (List.map (value process) (nexts choices)) in
+  let same =
+    match process.solution with
+    | By_layers _ -> false
+    | Whole (built, _) ->
+      let w, choices = from high position in
+      same_process built (build ~choices:(Decisions.choices high w) (nexts choices))
+  in
+  (least, if same then least else at high effort position)
+
 (* {1 Sets of positions} *)
 
 (* The times, since the node was entered, at which something changes that a run from its flow on may see. *)

@@ -23,6 +23,10 @@ type question = Decisions.question = {
 val at : question -> Effort.t -> Positions.position -> Answer.t
 (** [at q effort p] is the probability from position [p] on. *)
 
+val at_both : question -> question -> Effort.t -> Positions.position -> Answer.t * Answer.t
+(** [at_both low high effort p] is {!at} of both questions, which differ in how they take what is not known. Where
+    nothing of that matters without a bound of time, it is solved once. *)
+
 val within : question -> Effort.t -> Decisions.window -> Decisions.next list -> Decisions.next -> Answer.t
 (** [within q effort w starts] is the probability from each of [starts]. It solves the question once. *)
 

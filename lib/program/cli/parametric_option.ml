@@ -28,7 +28,19 @@ let fitting (l : Loaded.t) =
         (Printf.sprintf "`-D %s=VALUE` gives the other one a value" (Ranges.name l.model.ranges 0))
     else
       refuse "with `--parametric` bonds are released at the instants of a grid" "give a `split_step`"
-  | _ -> Ok ()
+  | Some { parameter; _ }, false -> (
+      match Coincidence.find l.model l.declared parameter with
+      | None -> Ok ()
+      | Some (at, p, q) ->
+        Error
+          [
+            Diag.error Code.bad_value
+              (Span.of_file (Source.name l.source))
+              "`%s` and `%s` are equal for %s: there two summands are the same term, and a lot that was drawn by \
+               one of them stays for the other" (Odds.to_string p) (Odds.to_string q) at
+              ~hint:(Open_number.narrower parameter);
+          ])
+  | None, _ -> Ok ()
 
 let at_value (l : Loaded.t) diagnostics =
   match l.parameter with

@@ -17,6 +17,12 @@ let number x =
     | Some decimal -> text ^ " = " ^ decimal
     | None -> text ^ ", " ^ about x
 
+(* A long end of an interval is rounded outwards. *)
+let longest = 48
+let is_long x = String.length (Rat.to_string x) > longest
+let low_end x = if is_long x then Decimal.rounded_down ~places:6 x else number x
+let high_end x = if is_long x then Decimal.rounded_up ~places:6 x else number x
+
 let probability = function
   | Where.Exactly x -> number x
   | Between (low, high) -> "at least " ^ number low ^ ", and at most " ^ number high
@@ -118,8 +124,8 @@ let mean c =
   | Some { low = None; _ } -> "mean infinite"
   | Some { low = Some low; high = Some high } when Rat.equal low high -> "mean " ^ number low
   | Some { low = Some low; high = Some high } ->
-    Printf.sprintf "mean at least %s, and at most %s" (number low) (number high)
-  | Some { low = Some low; high = None } -> Printf.sprintf "mean at least %s" (number low)
+    Printf.sprintf "mean at least %s, and at most %s" (low_end low) (high_end high)
+  | Some { low = Some low; high = None } -> Printf.sprintf "mean at least %s" (low_end low)
 
 let chances (c : Chances.t) =
   let whole = Ranges.to_string c.ranges in

@@ -243,7 +243,13 @@ let explore context (question : Chance_claims.question) limits zones =
 
 let question t = Chance_claims.question t.claims
 let root t = t.root
-let layers t = List.map (fun layer -> layer.nodes) t.layers
+let layers ?(most = max_int) t =
+  let nodes layers = List.map (fun layer -> layer.nodes) layers in
+  let too_many = List.length t.layers - most in
+  ( nodes (List.filteri (fun i _ -> i < too_many) t.layers),
+    nodes (List.filteri (fun i _ -> i >= too_many) t.layers) )
+
+let count_layers t = List.length t.layers
 let met t = t.met
 let reasons t = Chance_claims.reasons t.claims
 let size t = t.size

@@ -53,6 +53,10 @@ val is_chain : t -> bool
 val root : t -> Chance_tree.tree
 (** What follows all starts. *)
 
-val layers : t -> Chance_tree.node list list
-(** The nodes by layers, the last layer first. Each leads to nodes of layers before its own in this list alone.
-*)
+val count_layers : t -> int
+(** The number of layers of nodes. *)
+
+val layers : ?most:int -> t -> Chance_tree.node list list * Chance_tree.node list list
+(** [layers ?most t] is the nodes by layers, the last layer first: those of layers that are left out, and those of
+    the first [most] layers, which are all by default. Each node leads to nodes of layers before its own in these
+    lists alone. *)

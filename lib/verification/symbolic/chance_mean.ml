@@ -57,7 +57,7 @@ let rec of_tree space mode ends ~within tree =
     let holds (s, _) = s == set || Polyhedron.included set s in
     (match List.find_opt holds node.means with
      | Some (_, f) -> Affine.preimage space ~dimension forms set f
-     | None -> Scc_base.Bug.fail __POS__ "states that were not explored")
+     | None -> of_ ~within Open)
 
 (* The last one needs no test. *)
 and of_cells space mode ends ~within = function
@@ -73,9 +73,11 @@ let ends graph =
   | Value_at _ -> { won = Some Unknown; lost = Unknown; unknown = Unknown }
   | Chance | Time | Happenings _ -> { won = None; lost = Infinite; unknown = Infinite }
 
-let solve graph mode ~parameters =
+let solve ?most graph mode ~parameters =
   let space = Affine.space () and ends = ends graph in
-  let layers = Chance_graph.layers graph in
+  let left_out, layers = Chance_graph.layers ?most graph in
+  (* Of a solution that was given up. *)
+  List.iter (List.iter (fun node -> node.means <- [])) left_out;
   let of_node node =
     node.means <- List.map (fun (set, tree) -> (set, of_tree space mode ends ~within:set tree)) node.trees
   in

@@ -55,7 +55,7 @@ let rec of_tree space mode ~within tree =
     let holds (s, _) = s == set || Polyhedron.included set s in
     (match List.find_opt holds node.values with
      | Some (_, f) -> Piecewise.preimage space ~dimension:(Polyhedron.dimension within) forms set f
-     | None -> Scc_base.Bug.fail __POS__ "states that were not explored")
+     | None -> constant Rat.zero Rat.one)
 
 (* The last one needs no test. *)
 and of_cells space mode ~within = function
@@ -65,9 +65,11 @@ and of_cells space mode ~within = function
     let here = Piecewise.within space (new_constraints ~within set) (of_tree space mode ~within:set tree) in
     Piecewise.first space here (of_cells space mode ~within rest)
 
-let solve graph mode ~parameters =
+let solve ?most graph mode ~parameters =
   let space = Piecewise.space () in
-  let layers = Chance_graph.layers graph in
+  let left_out, layers = Chance_graph.layers ?most graph in
+  (* Of a solution that was given up. *)
+  List.iter (List.iter (fun node -> node.values <- [])) left_out;
   let of_node node =
     node.values <- List.map (fun (set, tree) -> (set, of_tree space mode ~within:set tree)) node.trees
   in

@@ -346,7 +346,9 @@ let check (options : Setup.t) semantics ~initial (checks : Property.check list) 
   let temporal =
     match temporals with
     | [] -> None
-    | _ :: _ -> Some (Temporal.on ~surroundings asked_formulas ~rests graph)
+    | _ :: _ ->
+      let seconds = Bounds.value options.bounds.seconds in
+      Some (Temporal.on ~surroundings ?seconds asked_formulas ~rests graph)
   in
   let sensitivity =
     Option.map (fun t -> lazy (Temporal.sensitivity t (Option.get options.parameter).parameter)) temporal

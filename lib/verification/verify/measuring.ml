@@ -7,13 +7,31 @@ let intervals temporal i = List.map (told "probability") (Temporal.probabilities
 
 let unclear = Verdict.Undefined "a probability within the formula is not known well enough to be compared"
 
+(* Why exact values were given up, if they were. *)
+let given_up (r : Unsettled.t) temporal : Verdict.inexact option =
+  let of_reason : Lifting.given_up -> Verdict.inexact = function
+    | Interrupted ->
+      let stop = Option.value (r.surroundings.stop ()) ~default:Scc_graph_search.Limits.Seconds in
+      Cut (Lost.stopped r.lost stop)
+    | Too_long -> Too_long
+    | Too_much -> Too_much
+  in
+  Option.map of_reason (Temporal.not_exact temporal)
+
+let told_inexact why = Verdict.Undefined (Verdict.inexact_to_string why)
+
 (* A probability that is not known well enough is the reason where there is no other. *)
 let formula_doubts r temporal i =
   let cut_short = Unsettled.cut_short r temporal in
   match Unsettled.evaluated r (fun () -> (Temporal.doubts temporal i, intervals temporal i)) with
   | Error why -> why
   | Ok (doubts, intervals) ->
-    let known = match Unsettled.doubts r temporal doubts with [] -> intervals | reasons -> reasons in
+    let known =
+      match Unsettled.doubts r temporal doubts with
+      | [] when cut_short = [] -> intervals @ List.map told_inexact (Option.to_list (given_up r temporal))
+      | [] -> intervals
+      | reasons -> reasons
+    in
     (match known @ cut_short with [] -> [ unclear ] | reasons -> reasons)
 
 (* Without the reasons for a claim that nobody has made. *)
@@ -33,6 +51,11 @@ let reasons (r : Unsettled.t) temporal values doubts =
     reasons_of r temporal doubts @ cut_short
 
 let of_sides temporal sides find = Likelihoods.of_sides ~is_chain:(fun () -> Temporal.is_chain temporal) sides find
+
+(* Where no other reason tells why they are intervals. *)
+let inexact r temporal values reasons =
+  if reasons <> [] || List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then None
+  else given_up r temporal
 
 (* All sides at each moment, without those at which nothing changes. *)
 let points temporal i sides : (Verdict.point list, string) result =
@@ -58,15 +81,20 @@ let probability (r : Unsettled.t) temporal i sides ~curve =
     (match Unsettled.evaluated r (fun () -> if curve then points temporal i sides else Ok []) with
      | Error why -> Undecided why
      | Ok (Error why) -> Undecided [ Undefined why ]
-     | Ok (Ok curve) -> Measured { values; reasons; witness = witness r temporal i; curve; starts = [] })
+     | Ok (Ok curve) ->
+       let inexact = inexact r temporal values reasons in
+       Measured { values; reasons; inexact; witness = witness r temporal i; curve; starts = [] })
 
 (* As far as what is known above and below tells. *)
-let compared bound m ~reasons : Verdict.t =
+let compared r temporal bound m ~reasons : Verdict.t =
   let { Scc_ctl.Eval.least; most } = m in
   match (Answer.holds least bound, Answer.holds most bound) with
   | Some true, Some true -> Holds { bounds = []; witness = None }
   | Some false, Some false -> Violated { witness = None }
-  | _ -> Undecided (told "mean" m :: reasons ())
+  | _ ->
+    let reasons = reasons () in
+    let not_exact = Option.to_list (inexact r temporal [ ((), m) ] reasons) in
+    Undecided ((told "mean" m :: reasons) @ List.map told_inexact not_exact)
 
 let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
   let find side = Temporal.mean ?bound:test temporal i side mean in
@@ -85,8 +113,11 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
     let of_values values = reasons r temporal values (fun () -> Temporal.doubts_of_mean temporal i) in
     match (unknown, List.filter_map known found, test) with
     | (_ :: _ as reasons), _, _ -> Undecided reasons
-    | [], ([ (_, m) ] as values), Some bound -> compared bound m ~reasons:(fun () -> of_values values)
-    | [], values, _ -> Measured { values; reasons = of_values values; witness = None; curve = []; starts = [] }
+    | [], ([ (_, m) ] as values), Some bound -> compared r temporal bound m ~reasons:(fun () -> of_values values)
+    | [], values, _ ->
+      let reasons = of_values values in
+      let inexact = inexact r temporal values reasons in
+      Measured { values; reasons; inexact; witness = None; curve = []; starts = [] }
   in
   match Unsettled.evaluated r (fun () -> of_sides temporal sides find) with
   | Error why -> Undecided why

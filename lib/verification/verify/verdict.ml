@@ -24,6 +24,8 @@ type reason =
   | Undefined of string
   | Fault of string
 
+type inexact = Cut of truncation | Too_long | Too_much
+
 type point = {
   moment : Scc_ctl.Timeline.moment;
   answer : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;
@@ -39,7 +41,7 @@ type t =
   | Holds of { bounds : truncation list; witness : Witness.t option }
   | Violated of { witness : Witness.t option }
   | Measured of { values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list; reasons : reason list;
-                  witness : Witness.t option; curve : point list;
+                  inexact : inexact option; witness : Witness.t option; curve : point list;
                   starts : (Scc_property.Property.side * Scc_regions.Chances.t) list }
   | Depends of dependence
   | Undecided of reason list
@@ -235,12 +237,23 @@ let reasons_to_string reasons =
   in
   String.concat "; " (List.rev (List.fold_left add [] reasons))
 
+let inexact_to_string = function
+  | Cut t ->
+    "no fraction was found within its part of " ^ truncation_to_string t ^ ": more --seconds may give it"
+  | Too_long -> "its fraction has longer numbers than are worked with"
+  | Too_much -> "its fraction takes more work than was allowed: --seconds allows more"
+
+let inexact = function
+  | Measured { inexact; _ } -> Option.map inexact_to_string inexact
+  | Undecided _ | Holds _ | Violated _ | Depends _ -> None
+
 let to_string = function
   | Holds { bounds = []; _ } -> "holds (exhaustive)"
   | Holds { bounds; _ } ->
     "holds up to the bound: " ^ String.concat ", " (List.map truncation_to_string bounds)
   | Violated _ -> "violated"
-  | Measured ({ reasons = []; _ } as m) -> number m.values m.starts
+  | Measured ({ reasons = []; _ } as m) ->
+    number m.values m.starts ^ Option.fold ~none:"" ~some:(fun why -> "; " ^ inexact_to_string why) m.inexact
   | Measured ({ reasons; _ } as m) ->
     Printf.sprintf "%s, as far as is known: %s" (number m.values m.starts)
       (reasons_to_string reasons)

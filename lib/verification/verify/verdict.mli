@@ -30,6 +30,12 @@ type reason =
   | Undefined of string  (** the property has no truth value somewhere: a division by zero *)
   | Fault of string  (** the transitions of a state cannot be computed *)
 
+(** Why a number is an interval, though nothing was left out. *)
+type inexact =
+  | Cut of truncation  (** a part of the seconds was over before its fraction was found *)
+  | Too_long  (** numbers of the fraction have more bits than are worked with *)
+  | Too_much  (** the fraction takes more work than is done for it *)
+
 (** The answer from one end T of the bound of time on. *)
 type point = {
   moment : Scc_ctl.Timeline.moment;  (** T; if it is not attained, the answer counts for all T shortly after it *)
@@ -56,6 +62,7 @@ type t =
   | Measured of {
       values : (Scc_property.Property.side * Scc_ctl.Eval.measured) list;
       reasons : reason list;  (** the reasons why they are not known better; empty: nothing was left out *)
+      inexact : inexact option;  (** why they are no fractions, where no reasons are given *)
       witness : Witness.t option;  (** of the last of them, a run that counts *)
       curve : point list;  (** how it depends on the end of the bound of time, where that was asked for *)
       starts : (Scc_property.Property.side * Scc_regions.Chances.t) list;
@@ -166,6 +173,12 @@ val unshown : outcome -> string
 (** Why a run of the outcome is not shown, as a clause: ["; its run could not be rebuilt: this is a fault of scc"],
     ["; its run is left out: making it ended at the interruption"], or the empty
     text. *)
+
+val inexact_to_string : inexact -> string
+(** Why a number is an interval, as a clause, and what may be done about it. *)
+
+val inexact : t -> string option
+(** Why a measured number is an interval, where that is told. *)
 
 val rest_to_string : rest -> string
 (** A rest as [" by a run that goes round within one instant"] or [", of runs some of which end in a dead

@@ -10,6 +10,7 @@ open Scc_property
 open Scc_symbolic
 open Scc_regions
 open Scc_verify
+open Chance_work
 
 let serves_all (m : Model.t) = Model.decides_by_chance m || m.steered
 
@@ -30,116 +31,10 @@ let refused (m : Model.t) =
     Some ("splits at any time are left to chance (rule Lot)", "give a `split_step`")
   else None
 
-(* {1 Explorations} *)
+type shared = Chance_work.shared
 
-(* An exploration is that of all checks of a model that ask about the same until. It is kept for those to come. *)
-type shared = {
-  mutable to_come : Chance_claims.question list;
-  mutable known : (Chance_claims.question * Chance_graph.t) list;
-}
-
-let shared checks =
-  { to_come = List.concat_map Zone_question.untils_of checks; known = [] }
-
-let groups checks =
-  let common (_, us) (_, vs) = List.exists (fun u -> List.exists (Chance_claims.same_question u) vs) us in
-  let add found x =
-    let near, others = List.partition (List.exists (common x)) found in
-    (x :: List.concat near) :: others
-  in
-  let by_number (i, _) (j, _) = Int.compare i j in
-  List.mapi (fun i c -> ((i, c), Zone_question.untils_of c)) checks
-  |> List.fold_left add []
-  |> List.map (fun group -> List.sort by_number (List.map fst group))
-  |> List.sort (fun a b -> by_number (List.hd a) (List.hd b))
-
-let without_first is list =
-  let add (found, kept) x = if (not found) && is x then (true, kept) else (found, x :: kept) in
-  List.rev (snd (List.fold_left add (false, []) list))
-
-(* The work on a check, and what is kept of its explorations. *)
-type work = {
-  options : Setup.t;
-  context : Instant.context;
-  zones : keeps_time:bool -> (Zone.t list, Start.fault) Stdlib.result;
-  ranges : Ranges.t;
-  shared : shared;
-  mutable used : Chance_graph.t list;
-  mutable explored : Chance_graph.t list;  (** those of [used] that no check has explored before *)
-  mutable stop : Scc_graph_search.Limits.stop option;
-}
-
-exception Ill_formed of Start.fault
-
-(* What is given up here has no part that could be reported. *)
-let sure w stage f =
-  match w.options.Setup.surroundings.attempt.run stage f with
-  | Ok x -> x
-  | Error stop -> raise (Limits.Over stop)
-
-let zones w ~keeps_time =
-  match sure w Exploring (fun () -> w.zones ~keeps_time) with
-  | Ok zones -> zones
-  | Error fault -> raise (Ill_formed fault)
-
-let default_zones = 50_000
-
-(* Values take a part of the time that the zones take: a quarter of the seconds is left for them. *)
-let stop_of (around : Limits.surroundings) =
-  let half = around.half () in
-  let quarter = lazy (around.half ()) in
-  fun () ->
-    match around.stop () with
-    | Some _ as stop -> stop
-    | None -> if Option.is_none (half.stop ()) then None else (Lazy.force quarter).stop ()
-
-let limits w : Chance_graph.limits =
-  let { Setup.bounds; surroundings; _ } = w.options in
-  let depth = match (Zone_bounds.depth bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
-  let progress ~zones ~waiting ~depth =
-    surroundings.progress { states = zones; transitions = 0; waiting; depth; model_time = Rat.zero }
-  in
-  let is_over = stop_of surroundings in
-  let stop () =
-    if Option.is_none w.stop then w.stop <- is_over ();
-    Option.is_some w.stop
-  in
-  let attempt f =
-    match surroundings.attempt.run Exploring f with
-    | Ok x -> Some x
-    | Error stop ->
-      w.stop <- Some stop;
-      None
-  in
-  let zones = Option.value (Bounds.value bounds.states) ~default:default_zones in
-  { horizon = Bounds.value bounds.time; depth; zones; stop; attempt; progress }
-
-let explored_anew w (until : Chance_claims.question) =
-  let m = Semantics.model w.context.semantics in
-  let timed = Rat.sign until.bound.low > 0 || Option.is_some until.bound.high in
-  let bounded = Option.is_some (Bounds.value w.options.bounds.time) in
-  let named = List.map (fun p -> Property.State p) (Chance_claims.predicates until) in
-  let keeps_time = timed || bounded || m.keeps_time || List.exists Formula.mentions_time named in
-  let graph = Chance_graph.explore w.context until (limits w) (zones w ~keeps_time) in
-  w.explored <- graph :: w.explored;
-  graph
-
-(* What was given up for its time is explored anew, in the time of another check. *)
-let explore w until =
-  let s = w.shared and is_it = Chance_claims.same_question until in
-  let graph =
-    match List.find_opt (fun (q, _) -> is_it q) s.known with
-    | Some (_, graph) -> graph
-    | None -> explored_anew w until
-  in
-  s.to_come <- without_first is_it s.to_come;
-  let others = List.filter (fun (q, _) -> not (is_it q)) s.known in
-  let is_kept = List.exists is_it s.to_come && not (Chance_graph.met graph).stopped in
-  s.known <- (if is_kept then (until, graph) :: others else others);
-  w.used <- graph :: w.used;
-  graph
-
-let box w = Ranges.box w.ranges
+let shared = Chance_work.shared
+let groups = Chance_work.groups
 
 (* {1 Values} *)
 
@@ -150,7 +45,7 @@ let pieces w graph { Zone_question.negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
   let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
   let mode = { Chance_value.choice; chance } in
-  let f = Chance_value.solve graph mode ~parameters:(Array.length w.ranges) in
+  let f = Chance_value.solve ~most:(most_layers w graph) graph mode ~parameters:(Array.length w.ranges) in
   let known = function
     | p, Some (v : Piecewise.value) ->
       if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
@@ -211,41 +106,6 @@ let rec sets w : Zone_question.t -> sets = function
 
 (* {1 Verdicts} *)
 
-(* Why something is open: bounds that were met, and predicates. *)
-let reasons w =
-  let { Setup.bounds; _ } = w.options in
-  let of_graph graph =
-    let met = Chance_graph.met graph in
-    let default : Verdict.truncation = { limit = States default_zones; origin = By_default } in
-    let states = if Option.is_some (Bounds.value bounds.states) then Zone_bounds.states bounds else default in
-    let late = Option.map (fun t -> { Verdict.limit = Time t; origin = By_user }) (Bounds.value bounds.time) in
-    let stopped = Option.map (Bounds.stopped bounds) w.stop in
-    let when_ is bound = if is then Option.to_list bound else [] in
-    List.concat
-      [
-        when_ met.too_late late; when_ met.too_deep (Some (Zone_bounds.depth bounds));
-        when_ met.too_many (Some states); when_ met.stopped stopped;
-      ]
-  in
-  let bounds = Verdict.distinct (List.concat_map of_graph w.used) in
-  let texts = List.sort_uniq String.compare (List.concat_map Chance_graph.reasons w.used) in
-  (bounds, List.map (fun t -> Verdict.Truncated t) bounds @ List.map (fun r -> Verdict.Undefined r) texts)
-
-let stats w ~faults : Stats.t =
-  let sum f = List.fold_left (fun n g -> n + f g) 0 w.explored in
-  let stopped_by, reasons = reasons w in
-  {
-    Stats.none with
-    decided_early = false;
-    states = sum Chance_graph.size;
-    transitions = sum Chance_graph.transitions;
-    depth = List.fold_left (fun d g -> Int.max d (Chance_graph.depth g)) 0 w.explored;
-    complete = reasons = [] && faults = [];
-    split_step = (match (Semantics.model w.context.semantics).splits with Every s -> Some s | Any_time -> None);
-    stopped_by;
-    faults;
-  }
-
 let unknown ranges =
   let none = Union.empty (Array.length ranges) in
   Where.make ranges ~holds:none ~fails:none
@@ -259,7 +119,7 @@ let by_start w starts : Verdict.t =
   let is_open (p : Chances.part) = not (Chances.is_known p.value) in
   let some_open = List.exists (fun (_, (c : Chances.t)) -> List.exists is_open c.parts) starts in
   let reasons = if some_open then snd (reasons w) else [] in
-  Measured { values = List.map value starts; reasons; witness = None; curve = []; starts }
+  Measured { values = List.map value starts; reasons; inexact = None; witness = None; curve = []; starts }
 
 let of_sets w { holds; fails } =
   let where = Where.make w.ranges ~holds ~fails in
@@ -282,7 +142,8 @@ exception Unknown_somewhere
 
 (* The ends of a mean on pieces that divide the box. Where all is known, one of them is enough. *)
 let mean_ends w graph s =
-  let f unknown = Chance_mean.solve graph { choice = side s; unknown } ~parameters:(Array.length w.ranges) in
+  let parameters = Array.length w.ranges and most = most_layers w graph in
+  let f unknown = Chance_mean.solve ~most graph { choice = side s; unknown } ~parameters in
   let pieces box f = Affine.pieces box f in
   let known = function
     | Some v -> v
@@ -347,13 +208,41 @@ let answer w (check : Property.check) =
       | Operator o -> (measured w sides o, unknown w.ranges)
       | Now _ | Not _ | All _ | Some_of _ -> Bug.fail __POS__ "a probability of no operator")
 
+(* Values of what was explored may take longer than there is time for. Then those of its first layers are known,
+   and of as many of them as are solved in time. *)
+let shares = [ 1; 2; 3; 4; 6; 8 ]
+
+let answer_in_time w (check : Property.check) =
+  let around = w.options.Setup.surroundings in
+  let with_share eighths () =
+    w.eighths <- eighths;
+    answer w check
+  in
+  List.iter (begin_with w) (Zone_question.untils_of check);
+  if not (List.exists (fun g -> (Chance_graph.met g).stopped) w.used) then answer w check
+  else
+    let rec further best = function
+      | [] -> best
+      | share :: rest -> (
+          match around.attempt.run Exploring (with_share share) with
+          | Ok found -> further (Some found) rest
+          | Error _ -> best)
+    in
+    match further None shares with
+    | Some found -> found
+    | None -> (
+        (* Nothing but the time of conclusions is left. *)
+        match (around.share ~mine:2 ~all:3).attempt.run Concluding (with_share 8) with
+        | Ok found -> found
+        | Error _ -> with_share (List.hd shares) ())
+
 type result = { verdict : Verdict.t; where : Where.t; stats : Stats.t }
 
 let check (options : Setup.t) shared semantics context u ~declared (check : Property.check) =
   let m = Semantics.model semantics in
   let initial = Network.started semantics declared in
-  let zones ~keeps_time = Start.zones context u ~initial ~keeps_time in
-  let w = { options; context; zones; ranges = m.ranges; shared; used = []; explored = []; stop = None } in
+  let starts ~keeps_time = Start.zones context u ~initial ~keeps_time in
+  let w = Chance_work.make options context shared ~starts in
   let without reason faults =
     let stopped_by = match reason with Verdict.Truncated t -> [ t ] | _ -> [] in
     let stats = { (stats w ~faults) with complete = false; stopped_by } in
@@ -363,7 +252,7 @@ let check (options : Setup.t) shared semantics context u ~declared (check : Prop
     let d = Transition.diagnostic ~at m fault in
     without (Verdict.Fault d.message) [ d ]
   in
-  match sure w Concluding (fun () -> answer w check) with
+  match sure w Concluding (fun () -> answer_in_time w check) with
   | verdict, where -> Ok { verdict; where; stats = stats w ~faults:[] }
   | exception Limits.Over stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
   | exception Ill_formed fault -> Error fault

@@ -271,6 +271,42 @@ let interrupted () =
   let a = Solution.value (Reach.solve q Max effort ~asked:(States [ 50_000 ])) 50_000 in
   Alcotest.(check bool) (Answer.to_string a) true (Answer.contains a (rat 1 2))
 
+(* A clock that counts looks; exact values need so many, and intervals too. *)
+let shared ~time ~needed ~intervals ~enough =
+  let now = ref 0 and nearly = ref 0 and told = ref None in
+  let until last () =
+    incr now;
+    !now > last
+  in
+  let part n () = until (!now + ((time - !now) / n)) in
+  let effort =
+    { Effort.default with interrupted = until time; half = part 2; quarter = part 4;
+                          not_exact = (fun why -> told := Some why) }
+  in
+  let rec exactly n (effort : Effort.t) =
+    if n = 0 then Ok "fraction"
+    else if effort.interrupted () then Error Lifting.Interrupted
+    else exactly (n - 1) effort
+  in
+  let nearly_ _ =
+    incr nearly;
+    now := !now + intervals;
+    "interval"
+  in
+  let found = Exact_first.run effort ~exactly:(exactly needed) ~nearly:nearly_ ~enough:(fun _ -> enough) in
+  (found, !nearly, Option.is_some !told)
+
+let in_turn () =
+  let check name expected found =
+    Alcotest.(check (triple string int bool)) name expected found
+  in
+  check "at once" ("fraction", 0, false) (shared ~time:1_000 ~needed:50 ~intervals:10 ~enough:false);
+  check "after the intervals" ("fraction", 1, false) (shared ~time:1_000 ~needed:240 ~intervals:10 ~enough:false);
+  check "too long" ("interval", 1, true) (shared ~time:1_000 ~needed:900 ~intervals:10 ~enough:false);
+  check "long intervals" ("interval", 1, true) (shared ~time:1_000 ~needed:240 ~intervals:600 ~enough:false);
+  check "decided" ("interval", 1, true) (shared ~time:1_000 ~needed:240 ~intervals:10 ~enough:true);
+  check "no time" ("interval", 1, true) (shared ~time:0 ~needed:5 ~intervals:10 ~enough:false)
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   let with_bound = Gen.pair gen (Gen.int_bound 12) in
@@ -286,5 +322,6 @@ let () =
           law "what a bound decides" with_bound (fun (c, k) -> Printf.sprintf "%s\nbound %d/12" (print c) k)
             decided; ] );
       ("closed forms", [ case "ruin" ruin; case "a long walk" long_walk; case "slow convergence" slow ]);
-      ("limits", [ case "what is no process" refused; case "interrupted" interrupted ]);
+      ("limits", [ case "what is no process" refused; case "interrupted" interrupted;
+                   case "fractions and intervals in turn" in_turn ]);
     ]

@@ -88,8 +88,11 @@ let fits what ~complete (full : Verdict.outcome) (outcome : Verdict.outcome) =
         | _ -> false
       in
       ("undecided", List.exists says_so reasons && not (List.exists exact reasons))
-    | _, Measured { values; reasons; _ } when not (List.for_all is_exact values) ->
-      ("measured", List.exists says_so reasons || List.for_all is_narrow values)
+    | Measured of_enough, Measured { values; reasons; inexact; _ } when not (List.for_all is_exact values) ->
+      (* A narrow interval says why it is no fraction, unless it was none with all time. *)
+      let told = Option.is_some inexact || not (List.for_all is_exact of_enough.values) in
+      if Option.is_some inexact then Hashtbl.replace kinds "no fraction" ();
+      ("measured", List.exists says_so reasons || (List.for_all is_narrow values && told))
     | _ -> ("settled", 
             settled full.verdict found
             && (has_run outcome || (not (has_run full)) || Option.is_some outcome.left_out || not complete))
@@ -119,7 +122,7 @@ let models = [ "crosslink"; "dissociation"; "crowded"; "association"; "ruin"; "b
 let all_kinds () =
   List.iter
     (fun kind -> Alcotest.(check bool) (kind ^ " came up") true (Hashtbl.mem kinds kind))
-    [ "undecided"; "measured"; "settled" ]
+    [ "undecided"; "measured"; "settled"; "no fraction" ]
 
 let suite =
   let quick name f = Alcotest.test_case name `Quick f in
