@@ -97,19 +97,7 @@ let compare_placed m (a, _) (b, _) =
   | _ -> List.compare (State.compare_places m) a b
 
 
-(* A process to be sorted. What a rational is rounded to does not decrease with it: where two floats differ, their
-   numbers are in the same order. *)
-type sorted = { near : float; placed : State.leaf list * State.process }
-
-let by_place m processes =
-  let key p =
-    let placed = placed m p in
-    { near = Scc_exact.Rat.to_float (List.hd (fst placed)).position.x; placed }
-  in
-  let compare a b =
-    if a.near < b.near then -1 else if a.near > b.near then 1 else compare_placed m a.placed b.placed
-  in
-  List.map (fun { placed = _, p; _ } -> p) (List.stable_sort compare (List.map key processes))
+let by_place m processes = List.map snd (List.stable_sort (compare_placed m) (List.map (placed m) processes))
 
 let first compare m processes =
   let earlier first p = if compare first p <= 0 then first else p in
