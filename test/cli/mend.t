@@ -311,3 +311,55 @@ A face that is nearly along an axis, and not quite flat, is cut as it is seen al
   bent.off: 9 plane faces, 0 reflex edges, volume 24000001/3000000
   1 convex part, 0 joints
     p1: 8 corners, 9 faces, volume 24000001/3000000
+
+A corner of one face within an edge of another one: the edges beside it are in one face each, until faces of one plane
+are merged.
+
+  $ cat > notched.off <<'E'
+  > OFF
+  > 13 21 0
+  > 0 0 0
+  > 4 0 0
+  > 4 1 0
+  > 1 1 0
+  > 1 4 0
+  > 0 4 0
+  > 0 0 2
+  > 4 0 2
+  > 4 1 2
+  > 1 1 2
+  > 1 4 2
+  > 0 4 2
+  > 2 0 0
+  > 3 1 12 2
+  > 3 3 2 0
+  > 3 3 0 5
+  > 3 5 4 3
+  > 3 6 7 8
+  > 3 6 8 9
+  > 3 11 6 9
+  > 3 9 10 11
+  > 3 0 1 7
+  > 3 0 7 6
+  > 3 1 2 8
+  > 3 1 8 7
+  > 3 2 3 9
+  > 3 2 9 8
+  > 3 3 4 10
+  > 3 3 10 9
+  > 3 4 5 11
+  > 3 4 11 10
+  > 3 5 0 6
+  > 3 5 6 11
+  > 3 12 0 2
+  > E
+  $ scc shape notched.off | grep mend
+  to mend it: scc shape --merge
+  $ scc decompose notched.off 2>&1 | grep mend
+    hint: to mend it, add --merge
+  $ scc decompose --merge notched.off
+  merged: 21 faces became 8
+  notched.off: 8 plane faces, 1 reflex edge, volume 14
+  2 convex parts, 1 joint
+    p1: 8 corners, 6 faces, volume 7
+    p2: 8 corners, 6 faces, volume 7

@@ -76,10 +76,14 @@ let helping (set : Polyhedron.ifs) faults =
 let closing set faults =
   match Mended.closing set faults with
   | Some d -> [ "--grid " ^ Decimal.significant ~digits:1 d; "--weld" ]
-  | None -> []
+  | None -> (
+      match Mended.merging set faults with
+      | Some `Alone -> [ "--merge" ]
+      | Some `Welded -> [ "--weld"; "--merge" ]
+      | None -> [])
 
 let all_helping set faults =
-  let grid = closing set faults in
-  grid @ List.filter (fun t -> not (List.mem t grid)) (helping set faults)
+  let closing = closing set faults in
+  closing @ List.filter (fun t -> not (List.mem t closing)) (helping set faults)
 
 let text told = String.concat "" (List.map (fun (_, line) -> line ^ "\n") told)

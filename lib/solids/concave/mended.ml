@@ -40,7 +40,9 @@ let apply o set =
 (* Each trial looks at all faces. *)
 let most_tried = 100_000
 
-let closing (set : Polyhedron.ifs) faults =
+let to_be_closed (set : Polyhedron.ifs) faults =
   let opened = function Polyhedron_fault.Open_edge _ -> true | _ -> false in
-  if Array.length set.ifs_faces > most_tried || not (List.exists opened faults) then None
-  else Scc_mesh.Mend.closing_grid set
+  Array.length set.ifs_faces <= most_tried && List.exists opened faults
+
+let closing set faults = if to_be_closed set faults then Mend.closing_grid set else None
+let merging set faults = if to_be_closed set faults then Mend.closing_merge set else None

@@ -13,3 +13,7 @@ val apply : t -> Polyhedron.ifs -> (Polyhedron.ifs * (string * string) list, str
 val closing : Polyhedron.ifs -> Polyhedron_fault.t list -> Rat.t option
 (** [closing set faults] is the distance of a grid on which gaps between faces close, if there are some and such a
     distance was found. *)
+
+val merging : Polyhedron.ifs -> Polyhedron_fault.t list -> [ `Alone | `Welded ] option
+(** [merging set faults] tells whether merging alone, or after welding, leaves no edge that is in one face only
+    ({!Scc_mesh.Mend.closing_merge}), if there are such edges. *)

@@ -274,3 +274,12 @@ let merge (set : Polyhedron.ifs) =
     Printf.sprintf "merged: %s became %d" (faces (Array.length set.ifs_faces)) (Array.length merged.ifs_faces)
   in
   (merged, told)
+
+let closing_merge set =
+  let closed (set : Polyhedron.ifs) = Array.length set.ifs_faces > 0 && not (is_open set) in
+  let merged set = fst (merge set) in
+  if not (is_open set) then None
+  else if closed (merged set) then Some `Alone
+  else
+    let welded = fst (weld set) in
+    if is_open welded && closed (merged welded) then Some `Welded else None
