@@ -235,7 +235,7 @@ each needs a compound of its own.
   [3]
   $ scc decompose edge.off --union -o edge.sc && grep -A 2 compound edge.sc
   edge.off: 12 plane faces, 1 reflex edge, volume 2
-  2 convex parts, 0 joints
+  2 convex parts, 0 joints, in 2 pieces
     p1: 8 corners, 6 faces, volume 1
     p2: 8 corners, 6 faces, volume 1
   compound Edge_1 {
@@ -247,7 +247,7 @@ each needs a compound of its own.
   }
   $ scc decompose crossing.off --union | head -n 2
   crossing.off: 8 plane faces, 5 reflex edges, volume 51/2
-  3 convex parts, 2 joints
+  3 convex parts, 2 joints, in 1 piece
 
 What is inside of another solid counts for nothing, whatever its form. So the union of a cube and an L in it is a convex
 solid:
@@ -256,7 +256,7 @@ solid:
   $ printf '4 12 15 14 13\n4 16 17 18 19\n4 12 16 19 15\n4 13 14 18 17\n4 12 13 17 16\n4 15 19 18 14\n' >> inside.off
   $ scc decompose inside.off --union
   inside.off: 6 plane faces, 0 reflex edges, volume 729
-  1 convex part, 0 joints
+  1 convex part, 0 joints, in 1 piece
     p1: 8 corners, 6 faces, volume 729
 
 Of four cubes in each other, of which the second and the fourth are hollows, two solids are made, each with its hollow:
@@ -276,7 +276,7 @@ Of four cubes in each other, of which the second and the fourth are hollows, two
   > EOF
   $ awk -f nested.awk > nested.off; scc decompose --union nested.off | head -n 2
   nested.off: 24 plane faces, 24 reflex edges, volume 352
-  12 convex parts, 10 joints
+  12 convex parts, 10 joints, in 2 pieces
 
 A pyramid stands on its tip, in the middle of a triangle of a slab:
 
@@ -284,7 +284,7 @@ A pyramid stands on its tip, in the middle of a triangle of a slab:
   $ printf '4 0 3 2 1\n3 4 5 6\n3 4 6 7\n4 0 4 7 3\n4 1 2 6 5\n4 0 1 5 4\n4 3 7 6 2\n3 9 10 11\n3 8 10 9\n3 8 11 10\n3 8 9 11\n' >> tip.off
   $ scc decompose --union tip.off
   tip.off: 10 plane faces, 0 reflex edges, volume 10
-  2 convex parts, 0 joints
+  2 convex parts, 0 joints, in 2 pieces
     p1: 8 corners, 6 faces, volume 9
     p2: 4 corners, 4 faces, volume 1
 
@@ -292,7 +292,7 @@ Solids in one piece are cut as without the option:
 
   $ scc decompose ell.off --union | head -n 2
   ell.off: 8 plane faces, 1 reflex edge, volume 6
-  2 convex parts, 1 joint
+  2 convex parts, 1 joint, in 1 piece
   $ scc decompose open.off --union | head -n 1
   error[SC0302]: the solid is not closed: edge [v5,v0] belongs to one face only, f0
   error[SC0302]: the solid is not closed: edge [v6,v11] belongs to one face only, f1

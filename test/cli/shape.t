@@ -436,7 +436,7 @@ decompose with --union:
     hint: two solids share a face: f5 and f10 have the same corners, in the two directions; for both together: scc decompose --union
   $ scc decompose --union two.off
   two.off: 6 plane faces, 0 reflex edges, volume 2
-  1 convex part, 0 joints
+  1 convex part, 0 joints, in 1 piece
     p1: 8 corners, 6 faces, volume 2
 
 A wall between them that is there once has to go; the hint names it, also where it is in two pieces:

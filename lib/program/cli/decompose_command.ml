@@ -55,7 +55,7 @@ let most_listed = 40
 (* Cuts through cuts have long numbers. *)
 let short ?(most = 24) q = Decimal.in_short ~most q
 
-let text ~name ~mended (t : Parts.t) =
+let text ~name ~mended ~union (t : Parts.t) =
   let b = Buffer.create 1024 in
   Buffer.add_string b (Mend_options.text mended);
   let drawn = t.drawn in
@@ -63,8 +63,9 @@ let text ~name ~mended (t : Parts.t) =
     (Plural.count (Array.length drawn.regions) "plane face" "plane faces")
     (Plural.count (Drawn.reflex_edges drawn) "reflex edge" "reflex edges")
     (short ~most:64 (Drawn.volume drawn.set));
-  Printf.bprintf b "%s, %s\n" (Plural.count (Array.length t.parts) "convex part" "convex parts")
-    (Plural.count (List.length t.joints) "joint" "joints");
+  Printf.bprintf b "%s, %s%s\n" (Plural.count (Array.length t.parts) "convex part" "convex parts")
+    (Plural.count (List.length t.joints) "joint" "joints")
+    (if union then ", in " ^ Plural.count (Decomposed.groups t) "piece" "pieces" else "");
   let part k (name, (p : Polyhedron.t)) =
     if k < most_listed then
       Printf.bprintf b "  %s: %d corners, %d faces, volume %s\n" name (Array.length p.vertices)
@@ -121,7 +122,7 @@ let work console ~mend ~names ~union ~most path =
   let* t = Result.map_error (diagnostics ~union set) (cut ~progress:(show console) ~names ~most set) in
   Ok (t, mended)
 
-let report console ~mended ~mass output path (t : Parts.t) =
+let report console ~mended ~union ~mass output path (t : Parts.t) =
   let write () =
     match output with
     | None -> Ok ()
@@ -132,7 +133,7 @@ let report console ~mended ~mass output path (t : Parts.t) =
   in
   let* () =
     Console.answer_and_write console write
-      ~text:(fun () -> text ~name:(Visible.line path) ~mended t)
+      ~text:(fun () -> text ~name:(Visible.line path) ~mended ~union t)
       ~json:(fun () ->
           Scc_reports.Decomposition_json.document ~name:path ~exit:(Exit_code.to_int Holds)
             ~source:(Console.source console) ~diagnostics:(Console.kept console) ~mended t)
@@ -141,7 +142,7 @@ let report console ~mended ~mass output path (t : Parts.t) =
 
 let decompose console ~mend ~names ~union ~most ~bounds ~mass output path =
   let work () = work console ~mend ~names ~union ~most path in
-  Bounded.within console bounds work (fun (t, mended) -> report console ~mended ~mass output path t)
+  Bounded.within console bounds work (fun (t, mended) -> report console ~mended ~union ~mass output path t)
 
 let run color json mend names union most bounds mass output path =
   let console = Console.make ~color ~json () in
