@@ -159,7 +159,8 @@ const SolidPage = (() => {
       chosen: () => chosen,
       choose,
       spots: () => {
-        if (!scene) return null;
+        // Nothing has a place before it is drawn once.
+        if (!scene || scene.places.length === 0) return null;
         const made = scene, project = made.projector(made.box.clientWidth, made.box.clientHeight);
         const middles = data.faces.map((f) => project(made.middle(f.corners)));
         return { faces: middles, vertices: made.places.map(project) };

@@ -19,6 +19,7 @@ type conn = {
   mutable heard : heard;
   over : unit Lwt.t * unit Lwt.u;  (** resolved when no more is heard: nobody waits for what does not come *)
   dropped : unit Lwt.t * unit Lwt.u;  (** resolved when it gives its place to another one *)
+  since : float;
 }
 
 type ic = conn
@@ -125,7 +126,8 @@ let head_is_late ~head_seconds c =
 
 let started socket =
   let bytes = Bytes.create (2 * piece) in
-  { socket; bytes; first = 0; last = 0; heard = Head most_of_head; over = Lwt.wait (); dropped = Lwt.wait () }
+  { socket; bytes; first = 0; last = 0; heard = Head most_of_head; over = Lwt.wait (); dropped = Lwt.wait ();
+    since = Unix.gettimeofday () }
 
 let attend ~head_seconds ~seconds handle c =
   let out = Lwt_io.of_fd ~mode:Lwt_io.output c.socket in
@@ -150,14 +152,30 @@ let rec accepted socket =
         accepted socket
       | e -> Lwt.fail e)
 
-(* The oldest connection whose request is still to come ends. Those that have spoken are forgotten on the way. *)
-let rec drop_silent waiting =
-  match Queue.take_opt waiting with
-  | None -> false
-  | Some { heard = Body | No_more; _ } -> drop_silent waiting
-  | Some { heard = Head _; dropped = _, drop; _ } ->
-    Lwt.wakeup_later drop ();
-    true
+(* The oldest connection whose request is still to come. Those that have spoken are forgotten on the way. *)
+let rec oldest_silent waiting =
+  match Queue.peek_opt waiting with
+  | Some { heard = Body | No_more; _ } ->
+    ignore (Queue.pop waiting);
+    oldest_silent waiting
+  | (Some { heard = Head _; _ } | None) as oldest -> oldest
+
+(* So long it keeps its place: many who speak may come at one moment, and each is heard in its turn. *)
+let quiet_seconds = 1.
+
+(* Until a connection ends. The oldest silent one does so, once it has been silent for long enough. *)
+let room free waiting =
+  match oldest_silent waiting with
+  | None -> Lwt_condition.wait free
+  | Some c ->
+    let left = c.since +. quiet_seconds -. Unix.gettimeofday () in
+    if left > 0. then Lwt.pick [ Lwt_condition.wait free; Lwt_unix.sleep (Float.min left quiet_seconds) ]
+    else begin
+      let ended = Lwt_condition.wait free in
+      ignore (Queue.pop waiting);
+      Lwt.wakeup_later (snd c.dropped) ();
+      ended
+    end
 
 (* Of very many in a row, those that have spoken are not kept. *)
 let forget_spoken waiting ~most =
@@ -188,11 +206,7 @@ let serve ~stop ~most ~head_seconds ~seconds socket handle =
     go_on ()
   and place () =
     if !open_ < most then Lwt.return_unit
-    else begin
-      let end_ = Lwt_condition.wait free in
-      ignore (drop_silent waiting);
-      Lwt.bind end_ place
-    end
+    else Lwt.bind (room free waiting) place
   in
   let* () = Lwt.pick [ stop; go_on () ] in
   Lwt_unix.close socket
