@@ -129,7 +129,7 @@ def params(scc, folder):
     server.initialize()
     uri = f"file://{folder}/small.sc"
     position = {"line": 0, "character": 7}
-    methods = "hover definition references documentHighlight completion signatureHelp prepareRename documentSymbol foldingRange formatting codeLens codeAction inlayHint semanticTokens/full semanticTokens/range rename".split()
+    methods = "hover definition references documentHighlight completion signatureHelp prepareRename documentSymbol foldingRange formatting codeLens codeAction inlayHint semanticTokens/full semanticTokens/full/delta semanticTokens/range rangeFormatting rename".split()
     for method in methods:
         name = f"textDocument/{method}"
         for what, given in [
@@ -179,6 +179,93 @@ def params(scc, folder):
     symbols = server.ask("textDocument/documentSymbol", {"textDocument": document})["result"]
     check("changes one after the other", [s["name"] for s in symbols] == ["Cube", "q", "c"], symbols)
     check("an unsaved file", server.end() == 0)
+
+
+def words_and_symbols(scc, folder):
+    """Words that have changed, layout of ranges, and symbols of the workspace, asked for as one should not."""
+    server = Server(scc)
+    capabilities = server.initialize()["capabilities"]
+    wanted = capabilities["semanticTokensProvider"]["full"], capabilities["documentRangeFormattingProvider"], capabilities["workspaceSymbolProvider"]
+    check("capabilities", wanted == ({"delta": True}, True, True), wanted)
+    with open(os.path.join(folder, "brick.sc"), "w") as file:
+        file.write("shape Brick = box(1, 1, 1)\nlet height = 2\n")
+    uri, other = f"file://{folder}/wall.sc", f"file://{folder}/fence.sc"
+    text = 'import "brick.sc" (Brick)\nprocess  p=Brick mass 1 [nil]\nlet  wall=1\n'
+
+    def ask(method, **given):
+        return server.ask(method, given)
+
+    def delta(uri, id):
+        return ask("textDocument/semanticTokens/full/delta", textDocument={"uri": uri}, previousResultId=id)
+
+    def span(a, b, c, d):
+        return {"start": {"line": a, "character": b}, "end": {"line": c, "character": d}}
+
+    def laid_out(place):
+        return ask("textDocument/rangeFormatting", textDocument={"uri": uri}, range=place, options={})
+
+    def found(query):
+        return [(s["name"], s["location"]["uri"].rsplit("/", 1)[-1]) for s in ask("workspace/symbol", query=query)["result"]]
+
+    for what, given in [("no params", None), ("no query", {}), ("a query that is a number", {"query": 3}), ("an array", [])]:
+        check(f"symbols with {what}", code(server.ask("workspace/symbol", given)) == -32602)
+    check("symbols of nothing", found("") == [])
+    server.open(uri, text)
+    server.open(other, text)
+    first = ask("textDocument/semanticTokens/full", textDocument={"uri": uri})["result"]
+    check("ids differ", delta(other, "0")["result"]["resultId"] != first["resultId"])
+    for id in ["", "0", "-1", "x" * 100000, first["resultId"] + " ", "é"]:
+        answer = delta(uri, id)["result"]
+        check(f"the id {id[:9]!r} gives all words", answer.get("data") == first["data"] and "edits" not in answer, answer)
+    answer = delta(other, first["resultId"])["result"]
+    check("an id of another document gives all words", "data" in answer, answer)
+    for id in [None, 3, [], {}]:
+        check(f"the id {id!r}", code(delta(uri, id)) == -32602)
+    check("no id", code(ask("textDocument/semanticTokens/full/delta", textDocument={"uri": uri})) == -32602)
+    last = delta(uri, "0")["result"]["resultId"]
+    answer = delta(uri, last)["result"]
+    check("nothing has changed", answer["edits"] == [] and answer["resultId"] != last, answer)
+    server.change(uri, 2, [{"range": span(2, 0, 2, 3), "text": "// "}])
+    check("an answer before the last one", "edits" in delta(uri, last)["result"])
+    check("the first answer is too old", "data" in delta(uri, first["resultId"])["result"])
+    server.change(uri, 3, [{"text": ""}])
+    answer = delta(uri, delta(uri, "0")["result"]["resultId"])["result"]
+    check("no words at all", answer["edits"] == [], answer)
+    server.change(uri, 4, [{"text": text}])
+    last = delta(uri, "0")["result"]["resultId"]
+    server.notify("textDocument/didClose", {"textDocument": {"uri": uri}})
+    check("words of a closed file", code(delta(uri, last)) == -32602)
+    check("layout of a closed file", code(laid_out(span(0, 0, 9, 0))) == -32602)
+    check("a symbol of a closed file", found("wall") == [("wall", "fence.sc")], found("wall"))
+    server.open(uri, text)
+    check("an id from before the file was closed", "data" in delta(uri, last)["result"])
+    for place in [None, 3, [], {}, {"start": 3, "end": 4}, {"start": {"line": 0, "character": 0}}, {"start": {"line": "0", "character": 0}, "end": {"line": 0, "character": 0}}]:
+        check(f"layout of the range {place!r}", code(laid_out(place)) == -32602)
+    whole = ask("textDocument/formatting", textDocument={"uri": uri}, options={})["result"]
+    beyond = 10**9
+    for place in [span(-5, -5, beyond, beyond), span(beyond, beyond, 0, 0), span(1, 8, 2, beyond), span(0, 0, 3, 0)]:
+        check(f"layout of {place}", laid_out(place)["result"] == whole, laid_out(place))
+    for place in [span(beyond, 0, beyond, 9), span(3, 0, 3, 0)]:
+        check(f"nothing at {place}", laid_out(place)["result"] == [], laid_out(place))
+    check("one line", [e["newText"] for e in laid_out(span(2, 5, 2, 5))["result"]] == ["let wall = 1\n"], laid_out(span(2, 5, 2, 5)))
+    server.change(uri, 5, [{"text": text + "process = "}])
+    check("layout of a text with errors", laid_out(span(0, 0, 9, 0))["result"] is None)
+    # Symbols: of imports, of texts without a folder, of files that vanish, and a great many.
+    server.open("untitled:Untitled-1", 'import "brick.sc"\nlet alone = 1\n')
+    check("a part of a name in another case", found("RICK")[0] == ("Brick", "brick.sc"), found("RICK"))
+    check("an import of an import once", [f for f in found("height")] == [("height", "brick.sc")], found("height"))
+    check("a text without a folder", found("alone") == [("alone", "untitled:Untitled-1")], found("alone"))
+    check("no symbol", found("no such name") == [] and found("x" * 100000) == [] and found("\u0000é𝄞") == [])
+    os.remove(os.path.join(folder, "brick.sc"))
+    check("a file that vanishes", found("Brick") == [], found("Brick"))
+    server.open(f"file://{folder}/many.sc", "".join(f"let m{k} = {k}\n" for k in range(5000)))
+    many = found("m")
+    check("at most 1 000, the closest first", len(many) == 1000 and found("M4711") == [("m4711", "many.sc")], len(many))
+    serial = server.request("workspace/symbol", {"query": "m"})
+    server.notify("$/cancelRequest", {"id": serial})
+    answer = server.answer(serial)
+    check("symbols that are cancelled, or come first", "result" in answer or code(answer) == -32800, answer)
+    check("the end of words", server.end() == 0)
 
 
 def refusals(scc, folder):
@@ -316,6 +403,7 @@ if __name__ == "__main__":
     too_large(scc)
     endings(scc)
     params(scc, folder)
+    words_and_symbols(scc, folder)
     refusals(scc, folder)
     cancelling(scc, folder)
     files(scc, folder)

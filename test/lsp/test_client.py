@@ -190,6 +190,45 @@ async def test_the_whole_document(client: LanguageClient):
 
 
 @pytest.mark.asyncio
+async def test_what_has_changed(client: LanguageClient):
+    document = T.TextDocumentIdentifier(client.uri)
+    full = await client.text_document_semantic_tokens_full_async(T.SemanticTokensParams(document))
+    change = T.TextDocumentContentChangePartial(T.Range(place(MAIN, "3 * n"), place(MAIN, "3 * n", 5)), "n + 33 + 4")
+    client.text_document_did_change(T.DidChangeTextDocumentParams(T.VersionedTextDocumentIdentifier(2, client.uri), [change]))
+    delta = await client.text_document_semantic_tokens_full_delta_async(T.SemanticTokensDeltaParams(document, full.result_id))
+    assert isinstance(delta, T.SemanticTokensDelta) and len(delta.edits) == 1 and len(delta.edits[0].data) < 40
+    data = list(full.data)
+    edit = delta.edits[0]
+    data[edit.start : edit.start + edit.delete_count] = edit.data
+    after = await client.text_document_semantic_tokens_full_async(T.SemanticTokensParams(document))
+    assert list(after.data) == data
+    old = await client.text_document_semantic_tokens_full_delta_async(T.SemanticTokensDeltaParams(document, "none"))
+    assert isinstance(old, T.SemanticTokens) and list(old.data) == data
+    span = T.Range(place(MAIN, "param n"), place(MAIN, "let far"))
+    some = await client.text_document_semantic_tokens_range_async(T.SemanticTokensRangeParams(document, span))
+    assert len(some.data) == 15 and some.data[0] == 2
+
+
+@pytest.mark.asyncio
+async def test_layout_of_a_range(client: LanguageClient):
+    text = "let  a=1\nlet  b=2\nlet  c=3\n"
+    uri = client.uri.replace("main", "new")
+    opened(client, uri, text)
+    params = T.DocumentRangeFormattingParams(T.TextDocumentIdentifier(uri), T.Range(place(text, "b"), place(text, "b", 1)), T.FormattingOptions(2, True))
+    edits = await client.text_document_range_formatting_async(params)
+    assert [(e.range.start.line, e.range.end.line, e.new_text) for e in edits] == [(1, 2, "let b = 2\n")]
+
+
+@pytest.mark.asyncio
+async def test_symbols_of_the_workspace(client: LanguageClient):
+    found = await client.workspace_symbol_async(T.WorkspaceSymbolParams("TILE"))
+    assert [(s.name, s.location.uri.rsplit("/", 1)[1], covered(PARTS, s.location.range)) for s in found] == [("Tile", "parts.sc", "Tile")]
+    found = await client.workspace_symbol_async(T.WorkspaceSymbolParams("righ"))
+    assert [(s.name, s.container_name) for s in found] == [("right", "Tile")]
+    assert {s.name for s in await client.workspace_symbol_async(T.WorkspaceSymbolParams(""))} >= {"n", "far", "Ready", "p", "meets", "Tile"}
+
+
+@pytest.mark.asyncio
 async def test_checks(client: LanguageClient):
     await clean(client)
     document = T.TextDocumentIdentifier(client.uri)

@@ -146,7 +146,7 @@ let of_item t (i : Pieces.item) =
   | None, _, "event" -> entries Vocabulary.Event Forms.Event
   | None, ("process" | "fixed"), _ -> words attributes @ values t @ words beginning
   | None, "check", ":" when not is_open -> words temporal @ formula t
-  | None, "check", _ -> formula t
+  | None, "check", _ -> formula t @ names "value" (Formula_places.integers t i) @ words [ "U" ]
   | None, "motion", _ when is_open || after_operator -> in_law t
   | None, _, _ when is_open -> anything t
   | None, _, _ when after_operator -> values t @ functions () @ anything t
@@ -167,13 +167,48 @@ let begins_with prefix name =
   let lower = String.lowercase_ascii in
   String.length name >= n && String.equal (lower (String.sub name 0 n)) (lower prefix)
 
+(* What cannot stand after the text of a check is left out. A text that has an error before the place, or is long,
+   is not looked at. *)
+let most_bytes = 1_000
+
+let is_beginning text =
+  let is_at_end (d : Scc_base.Diag.t) = d.span.start >= String.length text in
+  match Scc_syntax.Parse.parse (Scc_base.Source.make ~name:"" text) with
+  | Ok _ -> true
+  | Error errors -> List.for_all is_at_end errors
+
+let admitted text from found =
+  let window, _, (all : Scc_syntax.Tokens.t) = Pieces.window text from in
+  let last = ref window in
+  Array.iteri
+    (fun k begins ->
+       let at = window + all.tokens.(k).start in
+       if begins && at < from then last := at)
+    all.restart;
+  let before = String.sub text !last (from - !last) in
+  let asked = Hashtbl.create 64 in
+  let is_free o =
+    (* to the grammar all names are alike, but for words that are names as well *)
+    let is_plain = String.length o.name > 1 && Pieces.is_name o.name && not (Scc_syntax.Tokens.is_word o.name) in
+    let name = if is_plain then "plain" else o.name in
+    match Hashtbl.find_opt asked name with
+    | Some known -> known
+    | None ->
+      let fits = is_beginning (before ^ name) in
+      Hashtbl.add asked name fits;
+      fits
+  in
+  if String.length before > most_bytes || not (is_beginning before) then found else List.filter is_free found
+
 let at known text offset =
   match Pieces.around text offset with
   | None -> (offset, [])
   | Some (from, p) ->
-    let found = offers { known; p; item = Pieces.here p } in
+    let item = Pieces.here p in
+    let found = offers { known; p; item } in
     let begun = String.sub text from (offset - from) in
     let fits = List.filter (fun o -> begins_with begun o.name) found in
+    let fits = match item with Some { word = "check"; _ } -> admitted text from fits | Some _ | None -> fits in
     let kept = Hashtbl.create 64 in
     let is_new o =
       let known = Hashtbl.mem kept o.name in

@@ -8,6 +8,7 @@ type t = {
   read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result;
   write : Ast.model * Trivia.t list -> (string, Diag.t list) result;
   canonical : Source.t -> (string, Diag.t list) result;
+  as_written : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result;
   readable : Source.t -> Ast.model;
 }
 
@@ -22,6 +23,7 @@ let shape_calculus =
     read = (fun source -> Parse.with_trivia source);
     write;
     canonical = again (fun source -> Parse.with_trivia source) write;
+    as_written = (fun source -> Parse.with_trivia source);
     readable = (fun source -> Parse.readable source);
   }
 
@@ -34,6 +36,7 @@ let bioshape =
     read = Scc_bioshape.Read.with_trivia;
     write;
     canonical = again Scc_bioshape.Read.with_trivia write;
+    as_written = Scc_bioshape.Read.with_trivia;
     readable = Scc_bioshape.Read.readable;
   }
 
@@ -45,6 +48,7 @@ let original =
     read = Scc_original.Original.read;
     write = Scc_original.Original.write;
     canonical = Scc_original.Original.canonical;
+    as_written = Scc_original.Original.as_written;
     readable = Scc_original.Original.readable;
   }
 

@@ -13,6 +13,9 @@ type t = {
   (** in canonical layout, with the comments; the error is what the notation cannot express *)
   canonical : Source.t -> (string, Diag.t list) result;
   (** a text of the notation in canonical layout; {!write} after [read], if reading loses nothing *)
+  as_written : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result;
+  (** the declarations and comments of a text where they stand in it: of a model that [canonical] can lay out,
+      although it may have other errors *)
   readable : Source.t -> Ast.model;  (** what can be read of a text with errors *)
 }
 

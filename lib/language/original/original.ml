@@ -11,10 +11,10 @@ let tokens source =
   let rewrite tokens = Words.rewrite ~file:name (Array.map whole tokens) in
   Tokens.read ~rewrite (Source.make ~name (Signs.spelt text))
 
-let tree source = Parse.with_trivia ~tokens source
+let as_written source = Parse.with_trivia ~tokens source
 
 let read source =
-  let* items, trivia = tree source in
+  let* items, trivia = as_written source in
   let* items, notes = To_refined.model items in
   let note ((at : Span.t), text) =
     { Trivia.kind = Line; text = "// " ^ text; start = at.start - 1; stop = at.start - 1; own_line = true }
@@ -27,7 +27,7 @@ let write (items, trivia) =
   Ok (Written.model ~trivia items)
 
 let canonical source =
-  let* items, trivia = tree source in
+  let* items, trivia = as_written source in
   match List.sort_uniq Diag.compare (Region.faults items) with
   | [] -> Ok (Written.model ~trivia items)
   | faults -> Error faults

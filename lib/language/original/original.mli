@@ -7,6 +7,9 @@ val read : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
 (** Reads a model of the original notation into the language of [lib/language/syntax], by {!To_refined}. The notes
     of {!To_refined} are among the comments. *)
 
+val as_written : Source.t -> (Ast.model * Trivia.t list, Diag.t list) result
+(** The declarations and comments of a text, for their places. Regions are names that hold them ({!Tree}). *)
+
 val write : Ast.model * Trivia.t list -> (string, Diag.t list) result
 (** Writes a model of the language in the original notation, by {!Abstract}. *)
 

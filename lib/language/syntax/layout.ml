@@ -81,8 +81,11 @@ let rec write_trivia w ~indent ~closing before =
   match w.trivia with
   | c :: rest when c.start < before ->
     w.trivia <- rest;
+    (* an empty line within the piece before is no empty line behind it *)
+    let is_next at = Int.equal c.stop at in
+    let is_here = is_next before || (match rest with next :: _ -> is_next next.start | [] -> false) in
     (match (c.kind, w.gap) with
-     | Blank, Newline { keep = true; _ } -> w.empty_line <- true
+     | Blank, Newline { keep = true; _ } when is_here -> w.empty_line <- true
      | Blank, _ -> ()
      | (Line | Block), _ -> write_comment w ~indent ~closing c);
     write_trivia w ~indent ~closing before

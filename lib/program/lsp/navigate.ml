@@ -6,16 +6,6 @@ let location uri positions at : Json.t = `Assoc [ ("uri", Json.text uri); ("rang
 
 (* {1 What is meant, and where its text is} *)
 
-(* The document as a file; one that has not been saved belongs with no others. *)
-let own (d : Workspace.document) : Project.file =
-  { path = Option.value d.path ~default:d.uri; reading = d.reading; positions = Lazy.force d.positions }
-
-let uri_of (s : Session.t) (f : Project.file) =
-  let open_uri = Option.map (fun (d : Workspace.document) -> d.uri) (Workspace.find s.workspace f.path) in
-  if String.length f.path > 0 && f.path.[0] = '/' then
-    Option.value (Option.map Fun.id open_uri) ~default:(Uri.of_path f.path)
-  else f.path
-
 type meant =
   | In of Project.file * Names.target  (** a declaration, in its own file *)
   | Library of string
@@ -32,7 +22,7 @@ let meant (s : Session.t) (f : Project.file) (target : Names.target) =
   | Here _ | Several _ | Channel _ -> In (f, target)
   | There { library = true; file; _ } -> Library file
   | There { library = false; file; name } -> (
-      match Option.bind (Workspace.resolved ~base:(Some f.path) file) (file_at s) with
+      match Option.bind (Workspace.resolved ~base:(Project.base f) file) (file_at s) with
       | None -> Missing file
       | Some m when name = "" -> Whole m
       | Some m -> (
@@ -48,7 +38,7 @@ let occurrence s params =
 
 let places (s : Session.t) (f : Project.file) keep =
   List.filter keep (Names.all f.reading)
-  |> List.map (fun (o : Names.occurrence) -> location (uri_of s f) f.positions o.at)
+  |> List.map (fun (o : Names.occurrence) -> location (Project.address s.workspace f) f.positions o.at)
 
 let is_declared offsets (o : Names.occurrence) =
   match o.target with Here h -> o.declares && List.mem h offsets | _ -> false
@@ -57,14 +47,16 @@ let definition s params : Json.t =
   match occurrence s params with
   | None -> `Null
   | Some (d, o) -> (
-      match meant s (own d) o.target with
+      match meant s (Project.of_document d) o.target with
       | In (f, Here offset) -> `List (places s f (is_declared [ offset ]))
       | In (f, Several offsets) -> `List (places s f (is_declared offsets))
       | In (f, (Channel _ as channel)) ->
         let opens (p : Names.occurrence) = p.declares && Names.same p.target channel in
         let other p = opens p && not (Span.equal p.at o.at) in
         `List (match places s f other with [] -> places s f opens | found -> found)
-      | Whole f -> `List [ location (uri_of s f) f.positions (Span.make ~file:"" ~start:0 ~stop:0) ]
+      | Whole f ->
+        let start = Span.make ~file:"" ~start:0 ~stop:0 in
+        `List [ location (Project.address s.workspace f) f.positions start ]
       | In (_, There _) | Library _ | Missing _ -> `Null)
 
 (* The name under which a declaration can be imported. *)
@@ -85,7 +77,7 @@ let everywhere (s : Session.t) (f : Project.file) (target : Names.target) =
   let importers () = Project.importers s.workspace ~folders:s.client.folders f.path in
   match (target, exported f target) with
   | Channel _, _ ->
-    let others = importers () @ Project.imports s.workspace f in
+    let others = importers () @ Project.imports s.workspace [ f ] in
     List.map (fun f -> (f, target)) (f :: others)
   | _, Some name ->
     let of_importer (g : Project.file) =
@@ -116,9 +108,9 @@ let references s params : Json.t =
         in
         places s f keep
       in
-      match meant s (own d) o.target with
+      match meant s (Project.of_document d) o.target with
       | In (f, target) -> `List (List.concat_map found (everywhere s f target))
-      | Whole _ | Library _ | Missing _ -> `List (found (own d, o.target)))
+      | Whole _ | Library _ | Missing _ -> `List (found (Project.of_document d, o.target)))
 
 let highlights s params : Json.t =
   match occurrence s params with
@@ -155,7 +147,7 @@ let renamed s params =
   match occurrence s params with
   | None -> Rpc.refuse Rpc.failed "nothing that has a declaration is named here"
   | Some (d, o) -> (
-      match meant s (own d) o.target with
+      match meant s (Project.of_document d) o.target with
       | In (f, target) -> (d, o, f, target)
       | Library m -> Rpc.refuse Rpc.failed "this is a name of the library's module <%s>" m
       | Missing file -> Rpc.refuse Rpc.failed "`%s` declares nothing of this name, or cannot be read" file
@@ -172,11 +164,11 @@ let prepare_rename s params : Json.t =
 let rename s params =
   let name = Rpc.string "newName" params in
   let d, _, f, target = renamed s params in
-  let own_path = (own d).path in
+  let own_path = (Project.of_document d).path in
   let in_file ((g : Project.file), target) =
     match Rename.edits g.reading target name with
     | Ok [] -> None
-    | Ok edits -> Some (uri_of s g, g.positions, edits)
+    | Ok edits -> Some (Project.address s.workspace g, g.positions, edits)
     | Error why ->
       let is_own = String.equal g.path own_path in
       let where = if is_own then "" else Printf.sprintf " (in %s)" (Filename.basename g.path) in

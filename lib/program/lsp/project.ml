@@ -5,6 +5,17 @@ type file = { path : string; reading : Reading.t; positions : Positions.t }
 
 let most_files = 10_000
 
+let of_document (d : Workspace.document) =
+  { path = Option.value d.path ~default:d.uri; reading = d.reading; positions = Lazy.force d.positions }
+
+let is_saved f = String.length f.path > 0 && f.path.[0] = '/'
+let base f = if is_saved f then Some f.path else None
+
+let address workspace f =
+  match Workspace.find workspace f.path with
+  | Some d -> d.uri
+  | None -> if is_saved f then Uri.of_path f.path else f.path
+
 let file workspace path =
   Option.map (fun (reading, positions) -> { path; reading; positions }) (Workspace.reading_of workspace path)
 
@@ -14,14 +25,14 @@ let resolves ~base ~file path =
 let imported_paths f =
   let one (i : Ast.item) =
     match i.it with
-    | Import { from; library = false; _ } -> Workspace.resolved ~base:(Some f.path) from.it
+    | Import { from; library = false; _ } -> Workspace.resolved ~base:(base f) from.it
     | _ -> None
   in
   List.filter_map one (Lazy.force f.reading.model)
 
-let imports workspace f =
+let imports workspace roots =
   let seen = Hashtbl.create 8 in
-  Hashtbl.add seen f.path ();
+  List.iter (fun f -> Hashtbl.replace seen f.path ()) roots;
   let rec collect found = function
     | [] -> List.rev found
     | path :: rest when Hashtbl.mem seen path || Hashtbl.length seen > most_files -> collect found rest
@@ -31,7 +42,7 @@ let imports workspace f =
         | None -> collect found rest
         | Some f -> collect (f :: found) (List.rev_append (imported_paths f) rest))
   in
-  collect [] (imported_paths f)
+  collect [] (List.concat_map imported_paths roots)
 
 (* {1 Who imports a file} *)
 

@@ -46,6 +46,7 @@ let yes : Json.t = `Bool true
 
 let capabilities encoding : Json.t =
   let texts all : Json.t = `List (List.map (fun s -> `String s) all) in
+  let tokens = [ ("legend", Colouring.legend); ("full", options [ ("delta", yes) ]); ("range", yes) ] in
   options
     [
       ("positionEncoding", `String (Positions.name encoding));
@@ -57,13 +58,15 @@ let capabilities encoding : Json.t =
       ("referencesProvider", yes);
       ("documentHighlightProvider", yes);
       ("documentSymbolProvider", yes);
+      ("workspaceSymbolProvider", yes);
       ("codeActionProvider", options [ ("codeActionKinds", texts [ "quickfix" ]) ]);
       ("codeLensProvider", options []);
       ("documentFormattingProvider", yes);
+      ("documentRangeFormattingProvider", yes);
       ("renameProvider", options [ ("prepareProvider", yes) ]);
       ("foldingRangeProvider", yes);
       ("executeCommandProvider", options [ ("commands", texts Commands.names); ("workDoneProgress", yes) ]);
-      ("semanticTokensProvider", options [ ("legend", Structure.legend); ("full", yes); ("range", yes) ]);
+      ("semanticTokensProvider", options tokens);
       ("inlayHintProvider", yes);
     ]
 
@@ -142,6 +145,7 @@ let closed live params =
   let d = Session.document live.session params in
   Asked.changed live.asked d.uri;
   Workspace.remove live.session.workspace d.uri;
+  Coloured.forget live.session.coloured d.uri;
   Reading_jobs.forget live.readings d;
   Publishing.forget live.publishing d.uri
 
@@ -161,22 +165,26 @@ let quick =
     ("textDocument/completion", Describing.completion); ("textDocument/signatureHelp", Describing.signature);
   ]
 
+(* What a request is about is fixed at once; the answer may be computed in another process. *)
 let methods =
+  let later work session params () : Json.t = work session params in
   [
-    ("textDocument/hover", Describing.hover);
-    ("textDocument/definition", Navigate.definition);
-    ("textDocument/references", Navigate.references);
-    ("textDocument/documentHighlight", Navigate.highlights);
-    ("textDocument/prepareRename", Navigate.prepare_rename);
-    ("textDocument/rename", Navigate.rename);
-    ("textDocument/documentSymbol", Structure.symbols);
-    ("textDocument/foldingRange", Structure.folds);
-    ("textDocument/semanticTokens/full", Structure.colours);
-    ("textDocument/semanticTokens/range", Structure.colours_within);
-    ("textDocument/formatting", Structure.layout);
-    ("textDocument/codeAction", Findings.actions);
-    ("textDocument/codeLens", Findings.lenses);
-    ("textDocument/inlayHint", Findings.values);
+    ("textDocument/hover", later Describing.hover);
+    ("textDocument/definition", later Navigate.definition);
+    ("textDocument/references", later Navigate.references);
+    ("textDocument/documentHighlight", later Navigate.highlights);
+    ("textDocument/prepareRename", later Navigate.prepare_rename);
+    ("textDocument/rename", later Navigate.rename);
+    ("textDocument/documentSymbol", later Structure.symbols);
+    ("textDocument/foldingRange", later Structure.folds);
+    ("textDocument/semanticTokens/full", Colouring.full);
+    ("textDocument/semanticTokens/full/delta", Colouring.delta);
+    ("textDocument/semanticTokens/range", later Colouring.within);
+    ("textDocument/formatting", later Structure.layout);
+    ("textDocument/rangeFormatting", later Structure.layout_within);
+    ("textDocument/codeAction", later Findings.actions);
+    ("textDocument/codeLens", later Findings.lenses);
+    ("textDocument/inlayHint", later Findings.values);
   ]
 
 let close live =
@@ -187,11 +195,12 @@ let close live =
 (* At once, or in a process that the next keystroke ends. *)
 let answered live ~id work params =
   let d = Session.document live.session params in
+  let answer = work live.session params in
   if Session.is_large d then begin
-    Asked.ask live.asked ~id ~uri:d.uri (fun () -> work live.session params);
+    Asked.ask live.asked ~id ~uri:d.uri answer;
     None
   end
-  else Some (work live.session params)
+  else Some (answer ())
 
 let request t id name params =
   match (t.phase, name) with
@@ -205,6 +214,10 @@ let request t id name params =
     Some `Null
   | Live live, "workspace/executeCommand" ->
     Commands.start live.commands ~id params;
+    None
+  | Live live, "workspace/symbol" ->
+    (* it may read many files, and is about no document *)
+    Asked.ask live.asked ~id ~uri:"" (fun () -> Searching.symbols live.session params);
     None
   | Live live, _ -> (
       match (List.assoc_opt name quick, List.assoc_opt name methods) with

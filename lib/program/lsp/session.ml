@@ -9,6 +9,7 @@ type t = {
   workspace : Workspace.t;
   analyses : (string, int * Analysis.t) Hashtbl.t;
   verdicts : (string, verdict list) Hashtbl.t;
+  coloured : Coloured.t;
 }
 
 let create (client : Client.t) =
@@ -17,6 +18,7 @@ let create (client : Client.t) =
     workspace = Workspace.create client.encoding;
     analyses = Hashtbl.create 16;
     verdicts = Hashtbl.create 16;
+    coloured = Coloured.create ();
   }
 
 let document t params =
@@ -31,6 +33,12 @@ let plain_document t params =
 
 let offset (d : Workspace.document) params =
   Positions.offset (Lazy.force d.positions) (Rpc.position (Rpc.member "position" params))
+
+let offsets (d : Workspace.document) params =
+  let range = Rpc.member "range" params in
+  let side name = Positions.offset (Lazy.force d.positions) (Rpc.position (Rpc.member name range)) in
+  let a = side "start" and b = side "end" in
+  (Int.min a b, Int.max a b)
 
 (* Bytes up to which a text is read between two keystrokes. *)
 let large = 60_000

@@ -16,6 +16,7 @@ type t = {
   workspace : Workspace.t;
   analyses : (string, int * Analysis.t) Hashtbl.t;  (** by address: for which version *)
   verdicts : (string, verdict list) Hashtbl.t;  (** by address, of the present text *)
+  coloured : Coloured.t;  (** what words were sent as *)
 }
 
 val create : Client.t -> t
@@ -30,6 +31,9 @@ val plain_document : t -> Json.t -> Workspace.document option
 
 val offset : Workspace.document -> Json.t -> int
 (** The offset of the member [position]. *)
+
+val offsets : Workspace.document -> Json.t -> int * int
+(** The offsets of the two ends of the member [range], the lesser first. *)
 
 val is_large : Workspace.document -> bool
 (** [is_large d] is true if reading the document takes longer than one should wait after a keystroke. *)

@@ -49,66 +49,6 @@ let folds s params =
       in
       `List (List.filter_map one (Outline.folds d.reading)))
 
-(* {1 Colours} *)
-
-let kinds =
-  [
-    (Colours.Keyword, "keyword"); (Comment, "comment"); (Text, "string"); (Number, "number");
-    (Module, "namespace"); (Template, "class"); (Behaviour, "interface"); (Body, "variable");
-    (Value, "property"); (Argument, "parameter"); (Feature, "enumMember"); (Channel, "event");
-    (Function, "function"); (Choice, "modifier");
-  ]
-
-let number kind =
-  let rec index i = function
-    | [] -> 0
-    | (k, _) :: rest -> if k = (kind : Colours.kind) then i else index (i + 1) rest
-  in
-  index 0 kinds
-
-let legend : Json.t =
-  `Assoc
-    [
-      ("tokenTypes", `List (List.map (fun (_, name) -> `String name) kinds));
-      ("tokenModifiers", `List [ `String "declaration" ]);
-    ]
-
-(* A word on several lines is a piece on each of them. *)
-let pieces text (w : Colours.word) =
-  let rec split from found =
-    if from >= w.stop then List.rev found
-    else
-      let stop = match String.index_from_opt text from '\n' with Some i when i < w.stop -> i | _ -> w.stop in
-      split (stop + 1) (if stop > from then (from, stop) :: found else found)
-  in
-  split w.start []
-
-let encoded (d : Workspace.document) words : Json.t =
-  let places = Lazy.force d.positions in
-  let line = ref 0 and character = ref 0 and data = ref [] in
-  let add kind declares (start, stop) =
-    let l, c = Positions.of_offset places start in
-    let _, e = Positions.of_offset places stop in
-    if e > c then begin
-      let delta = if l = !line then c - !character else c in
-      data := (if declares then 1 else 0) :: kind :: (e - c) :: delta :: (l - !line) :: !data;
-      line := l;
-      character := c
-    end
-  in
-  List.iter (fun (w : Colours.word) -> List.iter (add (number w.kind) w.declares) (pieces d.text w)) words;
-  `Assoc [ ("data", `List (List.rev_map (fun n -> `Int n) !data)) ]
-
-let colours s params = plain s params (fun d -> encoded d (Colours.of_text d.reading))
-
-let colours_within s params =
-  plain s params (fun d ->
-      let range = Rpc.member "range" params in
-      let side name = Positions.offset (Lazy.force d.positions) (Rpc.position (Rpc.member name range)) in
-      let from = side "start" and upto = side "end" in
-      let within (w : Colours.word) = w.stop > from && w.start < upto in
-      encoded d (List.filter within (Colours.of_text d.reading)))
-
 (* {1 Layout} *)
 
 (* The part of two texts that differs, by whole lines. *)
@@ -125,12 +65,25 @@ let difference before after =
   let k = if n - common > 0 && common > 0 then whole (Int.min common (n - 1)) else 0 in
   (start, n - k, String.sub after start (m - k - start))
 
+let edits (d : Workspace.document) after : Json.t =
+  if String.equal after d.text then `List []
+  else
+    let start, stop, put = difference d.text after in
+    `List [ `Assoc [ ("range", Session.range d start stop); ("newText", Json.text put) ] ]
+
 let layout s params : Json.t =
   let d = Session.document s params in
   match Scc_notation.Notation.canonical d.reading.source with
   | Error _ -> `Null
-  | Ok after when String.equal after d.text -> `List []
-  | Ok after ->
-    let start, stop, put = difference d.text after in
-    `List [ `Assoc [ ("range", Session.range d start stop); ("newText", Json.text put) ] ]
+  | Ok after -> edits d after
+
+let layout_within s params : Json.t =
+  let d = Session.document s params in
+  let from, upto = Session.offsets d params in
+  match Formatting.within d.reading.source ~from ~upto with
+  | Error _ -> `Null
+  | Ok None -> `List []
+  | Ok (Some { start; stop; put }) ->
+    let rest = String.sub d.text stop (String.length d.text - stop) in
+    edits d (String.concat "" [ String.sub d.text 0 start; put; rest ])
 

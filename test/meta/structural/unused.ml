@@ -5,7 +5,8 @@
    The compiler reports a value that its own module does not use, unless the interface exports it. An exported
    value that only its own module uses need not be in the interface, and one that nobody uses need not exist.
    Tests count as users: some values are there to be examined. All values of a module that is an argument of a
-   functor, is included or is packed count as used.
+   functor, is included or is packed count as used. So do those of a module with a functor whose result is
+   included.
 
    Prints each unused value, and each exception that is not needed, and counts; exits with 1 if there is any. *)
 
@@ -32,10 +33,18 @@ let use ~own (v : Types.value_description) =
 
 let wholly_used : (string, unit) Hashtbl.t = Hashtbl.create 100
 
+(* The module that has the functor. *)
+let rec use_functor (f : module_expr) =
+  match f.mod_desc with
+  | Tmod_ident (Pdot (m, _), _) -> Hashtbl.replace wholly_used (Path.last m) ()
+  | Tmod_constraint (f, _, _, _) -> use_functor f
+  | _ -> ()
+
 let rec use_all (m : module_expr) =
   match m.mod_desc with
   | Tmod_ident (path, _) -> Hashtbl.replace wholly_used (Path.last path) ()
   | Tmod_constraint (m, _, _, _) -> use_all m
+  | Tmod_apply (f, _, _) -> use_functor f
   | _ -> ()
 
 let uses ~own =

@@ -24,14 +24,7 @@ let modules (i : Ast.import) =
   Option.map (fun text -> Reading.make (Source.make ~name:i.from.it text)) text
 
 let reading text = Reading.make (Source.make ~name:"m.sc" text)
-let place ?(nth = 0) text piece =
-  let n = String.length piece in
-  let rec look i nth =
-    if i + n > String.length text then Alcotest.failf "there is no `%s`" piece
-    else if String.sub text i n = piece then if nth = 0 then i else look (i + 1) (nth - 1)
-    else look (i + 1) nth
-  in
-  look 0 nth
+let place = Scc_test_support.Piece.place
 
 let models folder =
   let names = List.sort String.compare (Array.to_list (Sys.readdir folder)) in

@@ -24,15 +24,7 @@ let modules ~library name =
 
 let find text = Describe.find ~read_module:modules (Source.make ~name:"m.sc" text)
 
-(* Where a piece of text begins, the first of them or the one with this number. *)
-let place ?(nth = 0) text piece =
-  let n = String.length piece in
-  let rec look i nth =
-    if i + n > String.length text then Alcotest.failf "there is no `%s`" piece
-    else if String.sub text i n = piece then if nth = 0 then i else look (i + 1) (nth - 1)
-    else look (i + 1) nth
-  in
-  look 0 nth
+let place = Scc_test_support.Piece.place
 
 let name_of = Option.map (fun (d : Describe.t) -> d.name)
 let first_line s = List.hd (String.split_on_char '\n' s)
