@@ -39,6 +39,7 @@ const Main = (() => {
       choose: (/** @type {number} */ choice) => player.choose(choice),
       busy: () => Live.busy() || Values.busy(),
       plots: () => Plots.told(),
+      spread: () => Spread.now(),
       // Where a page from disk has exact values: a text, null where there is none; or what is wrong with the formula.
       evaluate: (/** @type {string} */ text) => Formulas.evaluate(text),
     };
@@ -203,6 +204,7 @@ const Main = (() => {
     Live.start();
     Grow.start(player);
     Regions.start(player);
+    Spread.start(player);
     Channels.start(data);
     Tabs.start();
     Rules.start(data);
