@@ -87,7 +87,8 @@ const Spread = (() => {
     const all = made === asked ? `${count(made, "run")}, from number ${first} on.` : `${count(made, "run")}, from number ${first} on; the command ended before ${count(asked, "run")}.`;
     const numbers = shown.map(({ run }) => run), straight = numbers.every((n, i) => n === numbers[0] + i);
     const which = straight && numbers.length > 2 ? `${numbers[0]} to ${numbers[numbers.length - 1]}` : numbers.join(", ");
-    return numbers.length === 0 ? `${all} The page shows none of them.` : `${all} The page shows ${numbers.length}: ${which}.`;
+    const fitting = numbers.length < Math.min(20, made) ? ", as many as fit" : "";
+    return numbers.length === 0 ? `${all} The page shows none of them.` : `${all} The page shows ${numbers.length} of them${fitting}: ${which}.`;
   }
 
   /** Of many observables, some are drawn at once. */

@@ -13,9 +13,11 @@ import glob
 import json
 import os
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 from fractions import Fraction
 
 def crowd(count):
@@ -36,7 +38,7 @@ CASES = [
      ["--every", "5/3", "--until", "12", "--runs", "100", "--summary"]),
     ("ties.sc", ["time"], ["--every", "1", "--until", "5", "--runs", "25"]),
     ("gravity.sc", ["energy"], ["--every", "1/3", "--until", "2", "--runs", "2"]),
-    ("spin.sc", ["energy"], ["--every", "1", "--until", "60", "--runs", "2"]),
+    ("spin.sc", ["energy"], ["--every", "1", "--until", "5", "--runs", "2"]),
     ("hexokinase.sc", ["bonds()"], ["--every", "1/2", "--until", "9", "--runs", "30", "--part", "2/3"]),
     (crowd(5), ["x(p[0])", "z(p[0])"], ["--every", "1", "--until", "9", "--runs", "40", "--jobs", "2"]),
     (crowd(110), ["x(p[0])", "z(p[0])"], ["--every", "4/3", "--until", "9", "--runs", "40"]),
@@ -130,25 +132,57 @@ def one(scc, work, text, observables, options):
     check(name + ": observables", spread["observables"], observables)
     check(name + ": shown", [s["run"] for s in spread["shown"]], sorted(runs)[:20])
     check(name + ": as many runs", len(data["runs"]), len(spread["shown"]))
-    for i, time in enumerate(spread["times"]):
-        check(name + ": time", Fraction(time), Fraction(rows[i][1]))
+    for i, at in enumerate(spread["times"]):
+        check(name + ": time", Fraction(at), Fraction(rows[i][1]))
         # What has ended before has no values: it is counted apart.
-        over = [k for k, lines in runs.items() if lines[i][-1] and Fraction(ended_at(lines[i][-1])) < Fraction(time)]
-        check(f"{name}: over before {time}", (spread["over"][i], spread["cut"][i]), (len(over), 0))
+        over = [k for k, lines in runs.items() if lines[i][-1] and Fraction(ended_at(lines[i][-1])) < Fraction(at)]
+        check(f"{name}: over before {at}", (spread["over"][i], spread["cut"][i]), (len(over), 0))
         for k in range(len(observables)):
             there = [number(lines[i][2 + k]) for n, lines in runs.items() if n not in over]
-            bars(f"{name}: {observables[k]} at {time}", spread["cells"][i][k], there)
+            bars(f"{name}: {observables[k]} at {at}", spread["cells"][i][k], there)
     numbers = [k for k, o in enumerate(observables) if not o.startswith(("gone", "bound"))]
     for shown, run in zip(spread["shown"], data["runs"]):
         check(name + ": name", run["name"], f"run {shown['run']}")
-        for i, time in enumerate(spread["times"]):
+        for i, at in enumerate(spread["times"]):
             own = [number(cell) for cell in runs[shown["run"]][i][2:-1]]
-            check(f"{name}: run {shown['run']} at {time}", [number(v) for v in shown["values"][i]], own)
-            seen = plotted(data, run, Fraction(time))
+            check(f"{name}: run {shown['run']} at {at}", [number(v) for v in shown["values"][i]], own)
+            seen = plotted(data, run, Fraction(at))
             if seen is None:
-                check(f"{name}: run {shown['run']} is over at {time}", own, [None] * len(own))
+                check(f"{name}: run {shown['run']} is over at {at}", own, [None] * len(own))
             else:
-                check(f"{name}: run {shown['run']} plotted at {time}", seen, [own[k] for k in numbers])
+                check(f"{name}: run {shown['run']} plotted at {at}", seen, [own[k] for k in numbers])
+
+
+def interrupted(scc, work):
+    """A page that is written after Ctrl-C has the runs of the table, and those that were cut short apart."""
+    model, page, table = (os.path.join(work, name) for name in ("i.sc", "i.html", "i.csv"))
+    with open(model, "w", encoding="utf-8") as file:
+        file.write(crowd(5))
+    command = subprocess.Popen([scc, "simulate", model, "--observe", "x(p[0])", "--every", "40", "--until", "4000", "--runs", "100000",
+                                "--jobs", "2", "--view", page, "-o", table], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    time.sleep(1.5)
+    command.send_signal(signal.SIGINT)
+    check("interrupted: the exit code", command.wait(300), 4)
+    with open(table, encoding="utf-8", newline="") as file:
+        rows = list(csv.reader(file))[1:]
+    data = page_data(page)
+    spread = data["spread"]
+    runs = {}
+    for row in rows:
+        runs.setdefault(int(row[0]), []).append(row)
+    check("interrupted: runs", (spread["made"], spread["asked"]), (len(runs), 100000))
+    check("interrupted: cut short", spread["cut"][-1], sum("interrupted" in lines[0][-1] for lines in runs.values()))
+    check("interrupted: in order of time", (spread["cut"], spread["over"][-1]), (sorted(spread["cut"]), 0))
+    for i, cells in enumerate(spread["cells"]):
+        there = sum(lines[i][2] != "" for lines in runs.values())
+        check("interrupted: none is dropped", sum(cells[0].get("counts", [])), there)
+        check("interrupted: all are counted", there + cells[0]["none"] + spread["over"][i] + spread["cut"][i], len(runs))
+    for shown, run in zip(spread["shown"], data["runs"]):
+        for i, at in enumerate(spread["times"]):
+            own = [Fraction(cell) if cell else None for cell in runs[shown["run"]][i][2:-1]]
+            check("interrupted: values", [v and Fraction(v) for v in shown["values"][i]], own)
+            seen = plotted(data, run, Fraction(at))
+            check("interrupted: plotted", seen is None or own[0] is None or seen == own, True)
 
 
 def ended_at(text):
@@ -162,6 +196,7 @@ def main():
         for path in sorted(glob.glob(os.path.join(models, "*.sc"))):
             cases.append((path, ["time", "bonds()"], ["--every", "2/3", "--until", "4", "--runs", "5", "--steps", "40"]))
     with tempfile.TemporaryDirectory() as work:
+        interrupted(scc, work)
         for text, observables, options in cases:
             text = os.path.join(models, text) if text.endswith(".sc") else text
             try:

@@ -90,7 +90,8 @@ let write t console model ~path ~name ~report ~asked ~first ~summary ~interrupte
   | Ok () ->
     let has = List.length document.runs and wanted = List.length spread.shown in
     let whole = !hurry = None || has = wanted in
-    if not whole then Console.note console (Printf.sprintf "scc: interrupted: the page shows %d of %d runs" has wanted);
+    let told = Printf.sprintf "scc: interrupted: the page shows %d of %d runs" has wanted in
+    if not whole then Console.note console told;
     Ok whole
 
 let conflict ~times ~observables ~output ~path =

@@ -70,6 +70,6 @@ val simulated :
   cut:(Scc_view.Spread.shown -> Scc_exact.Rat.t option) ->
   interrupted:(unit -> bool) ->
   (Scc_view.Document.t, Diag.t list) result
-(** The document of a simulation. Each run of the spread is made again from its seed, up to 20 000 transitions, until
-    the rows of the document have 16 MB or [interrupted] is true. The spread of the document has the runs that were
-    made. [cut run] is how far a run is made that an interruption has ended. *)
+(** The document of a simulation. Each run of the spread is made again from its seed, up to 20 000 transitions,
+    until the rows of the document have 16 MB or [interrupted] is true. The spread of the document has the runs
+    that were made. [cut run] is how far a run is made that an interruption has ended. *)

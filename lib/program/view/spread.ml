@@ -86,7 +86,8 @@ let mean_format =
       case
         (fields
            [
-             field "near" some_text (Decimal.significant ~digits) ~about:"Rounded: all its digits would be too many.";
+             field "near" some_text (Decimal.significant ~digits)
+               ~about:"Rounded: all its digits would be too many.";
            ])
         (fun x -> if short x then None else Some x)
         ignore;
@@ -106,7 +107,8 @@ let cell_format =
       maybe "width" Shared.rational (bars (fun b -> b.width)) ~about:"From each bar to the next one.";
       maybe "single" (constant (`Bool true))
         (fun (_, _, bars) -> match bars with Some { single = true; _ } -> Some () | Some _ | None -> None)
-        ~about:"Each bar is of one value alone. Otherwise it has all values up to the next bar, without its first.";
+        ~about:
+          "Each bar is of one value alone. Otherwise it has all values up to the next bar, without its first.";
       maybe "counts" (array natural) (bars (fun b -> b.counts)) ~about:"How many runs have a value of each bar.";
     ]
 
