@@ -25,9 +25,9 @@ val write :
   summary:Report.summary ->
   interrupted:(unit -> bool) ->
   (bool, Diag.t list) result
-(** [write t console model ~path ~name ~report ~asked ~first ~summary ~interrupted] writes the page of the runs from
-    number [first] on to [path]. [asked] runs were to be made, and [summary] has their values. [name] is that of
-    the file of the model. If [interrupted ()] is or becomes true, the page gets the runs that are made in a few
+(** [write t console model ~path ~name ~report ~asked ~first ~summary ~interrupted] writes the page of the runs
+    from number [first] on to [path]. [asked] runs were to be made, and [summary] has their values. [name] is that
+    of the file of the model. If [interrupted ()] is or becomes true, the page gets the runs that are made in a few
     seconds, at least one. The result is true if it has all runs that it would have otherwise. *)
 
 val conflict : times:int -> observables:int -> output:string option -> path:string -> string option

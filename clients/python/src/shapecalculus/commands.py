@@ -251,7 +251,6 @@ def simulate(
     observe: Texts,
     runs: int,
     until: Number,
-    view: bool = False,
     define: Optional[Mapping[str, Setting]] = None,
     decimals: Optional[int] = None,
     format: str = "jsonl",
@@ -277,7 +276,6 @@ def simulate(
       0. May be given several times.
     ``runs``: How many runs, from number 0 on.
     ``until``: Runs end at the model time TIME; 0 is their first instant.
-    ``view``:
     ``define``: Gives the parameter NAME of the model the value VALUE, a rational. Repeatable.
     ``decimals``: Writes numbers rounded to K decimals, instead of exactly as texts p/q.
     ``format``: csv (RFC 4180), or jsonl, a JSON object a line.
@@ -319,7 +317,6 @@ def simulate(
         *words.texts("--observe", observe),
         *words.integer("--runs", runs),
         *words.number("--until", until),
-        *words.flag("--view", view),
         *words.define(model, define),
         *words.integer("--decimals", decimals),
         *words.text("--format", format),
