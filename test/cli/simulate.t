@@ -231,7 +231,7 @@ A page of runs. What it does not go with is said before any run.
   $ view --resume one.jsonl --format jsonl 2>&1 | head -1
   scc: --view and --resume do not go together: with --store, the same command resumes and writes the page
   $ scc simulate $M/ruin.sc --runs 3 --observe 'x(walker)' --every 1 --until 200000 --view far.html 2>&1 | head -2; ls far.html 2>&1 | wc -l
-  scc: a page of --view has room for 10000 values of a run, and these are 200001 (1 observables at 200001 times): take a greater --every, or fewer observables
+  scc: a page of --view has room for 10000 values of a run, and these are 200001 (1 observable at 200001 times): take a greater --every, or fewer observables
   Usage: scc simulate [OPTION]… MODEL
   1
   $ view -o page.html 2>&1 | head -1

@@ -266,7 +266,8 @@ let fitting o =
   else
     let conflict path =
       let times = Array.length (Simulation.times ~every:o.every ~until:o.until) in
-      Simulation_page.conflict ~times ~observables:(List.length o.observed) ~output:o.output ~path
+      Simulation_page.conflict ~times ~observables:(List.length o.observed) ~path
+        ~others:[ ("-o", o.output); ("--plot", o.plot); ("--store", o.store) ]
     in
     let view = Option.bind o.view conflict in
     let lines = o.form <> Csv || o.summary in

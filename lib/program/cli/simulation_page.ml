@@ -94,12 +94,17 @@ let write t console model ~path ~name ~report ~asked ~first ~summary ~interrupte
     if not whole then Console.note console told;
     Ok whole
 
-let conflict ~times ~observables ~output ~path =
+let conflict ~times ~observables ~others ~path =
   if times * observables > Spread.most_cells then
     Some
       (Printf.sprintf
-         "a page of --view has room for %d values of a run, and these are %d (%d observables at %d times): take a \
-          greater --every, or fewer observables"
-         Spread.most_cells (times * observables) observables times)
-  else if output = Some path then Some "--view and -o name the same file"
-  else None
+         "a page of --view has room for %d values of a run, and these are %d (%s at %d times): take a greater \
+          --every, or fewer observables"
+         Spread.most_cells (times * observables)
+         (Scc_base.Plural.count observables "observable" "observables")
+         times)
+  else
+    let same (name, other) =
+      if other = Some path then Some (Printf.sprintf "--view and %s name the same file" name) else None
+    in
+    List.find_map same others
