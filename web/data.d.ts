@@ -174,6 +174,34 @@ interface DataSample {
   run: number;
 }
 
+/** The values of all runs of a simulation; by time, and then by observable. */
+interface DataSpread {
+  seed: string | number;
+  first: number;
+  asked: number;
+  made: number;
+  observables: string[];
+  times: string[];
+  /** How many runs had ended, or been cut short, before each time. */
+  over: number[];
+  cut: number[];
+  cells: DataCell[][];
+  /** Each is the run of the data in its place. */
+  shown: { run: number; values: (string | null)[][]; ended: string | null }[];
+}
+
+/** Bar i begins at from + i width; a single one has no other value. */
+interface DataCell {
+  none: number;
+  least?: string;
+  mean?: string | { near: string };
+  greatest?: string;
+  from?: string;
+  width?: string;
+  single?: true;
+  counts?: number[];
+}
+
 interface PageData {
   format: string;
   version: number;
@@ -196,6 +224,8 @@ interface PageData {
   runs: DataRun[];
   graph: { complete: boolean; bound: number; states: number; expanded: number } | null;
   where: DataWhere | null;
+  /** Of runs of a simulation. */
+  spread?: DataSpread;
   rules: { [name: string]: string };
 }
 

@@ -39,6 +39,7 @@ const Main = (() => {
       choose: (/** @type {number} */ choice) => player.choose(choice),
       busy: () => Live.busy() || Values.busy(),
       plots: () => Plots.told(),
+      spread: () => Spread.now(),
       // Where a page from disk has exact values: a text, null where there is none; or what is wrong with the formula.
       evaluate: (/** @type {string} */ text) => Formulas.evaluate(text),
     };
@@ -155,7 +156,8 @@ const Main = (() => {
     for (const name of /** @type {const} */ (["states", "runs", "leaves", "labels", "processes", "behaviours", "solids", "plots"]))
       if (!Array.isArray(data[name])) throw new Error(`the file holds no ${name}`);
     if (data.states.length === 0) throw new Error("the file holds no states");
-    if (data.runs.length === 0) throw new Error("the file holds no runs");
+    // A simulation may have been interrupted before its first run.
+    if (data.runs.length === 0 && !data.spread) throw new Error("the file holds no runs");
     /** @param {string} what @param {any} n @param {{ length: number }} rows @param {string} row */
     const one = (what, n, { length }, row) => {
       if (!Number.isInteger(n) || n < 0 || n >= length) throw new Error(`the file has no ${row} ${Dom.clip(String(n), 40)}, which ${what} names`);
@@ -203,6 +205,7 @@ const Main = (() => {
     Live.start();
     Grow.start(player);
     Regions.start(player);
+    Spread.start(player);
     Channels.start(data);
     Tabs.start();
     Rules.start(data);

@@ -95,12 +95,13 @@ const Runs = (() => {
   function choose(index) {
     const entry = entries[index];
     chosen = index;
-    if (entry.run !== player.run) player.open(entry.run);
+    if (entry.run !== player.run && Spread.there()) Spread.open(entry.run);
+    else if (entry.run !== player.run) player.open(entry.run);
     else {
       reasons(entry);
       mark();
     }
-    Tabs.show("why");
+    if (!Spread.there() || Tabs.shown() !== "spread") Tabs.show("why");
   }
 
   function mark() {

@@ -34,7 +34,7 @@ const Tabs = (() => {
       show(panels[to].id);
       heads[to].focus();
     });
-    show("why");
+    show(panels[0].id);
   }
 
   /** @param {string} id */

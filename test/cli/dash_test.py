@@ -40,7 +40,7 @@ BESIDE = {
     ("check", "--draw"): ["check", MODEL], ("check", "--sarif"): ["check", MODEL], ("check", "--smt"): ["check", MODEL],
     ("check", "--store"): ["check", MODEL], ("check", "--witness"): ["check", MODEL],
     ("check", "--curve-plot"): ["check", MODEL],
-    ("simulate", "--plot"): SIMULATED, ("simulate", "--resume"): SIMULATED, ("simulate", "--store"): SIMULATED,
+    ("simulate", "--plot"): SIMULATED, ("simulate", "--view"): SIMULATED, ("simulate", "--resume"): SIMULATED, ("simulate", "--store"): SIMULATED,
     ("estimate", "--store"): ["estimate", MODEL], ("sweep", "--plot"): SWEPT, ("sweep", "--resume"): SWEPT, ("sweep", "--store"): SWEPT,
     ("compare", "--write"): ["compare", MODEL, MODEL], ("conform", "--run"): ["conform", MODEL, "run.jsonl"],
     ("shape", "-o"): ["shape", MESH], ("shape", "--svg"): ["shape", MESH], ("shape", "--view"): ["shape", MESH],

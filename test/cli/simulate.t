@@ -221,3 +221,19 @@ An observable with the name of a column has its own column in round brackets, as
   0,0,0,7,8,
   0,1/2,1/2,7,8,
   0,1,1,7,8,
+
+A page of runs. What it does not go with is said before any run.
+
+  $ view() { scc simulate $M/ruin.sc --runs 3 --observe 'x(walker)' --every 1 --until 4 --view page.html "$@"; }
+  $ view -o table.csv && grep -c '"spread":' page.html
+  1
+  $ view --jobs 2 -o other.csv && cmp table.csv other.csv
+  $ view --resume one.jsonl --format jsonl 2>&1 | head -1
+  scc: --view and --resume do not go together: with --store, the same command resumes and writes the page
+  $ scc simulate $M/ruin.sc --runs 3 --observe 'x(walker)' --every 1 --until 200000 --view far.html 2>&1 | head -2; ls far.html 2>&1 | wc -l
+  scc: a page of --view has room for 10000 values of a run, and these are 200001 (1 observable at 200001 times): take a greater --every, or fewer observables
+  Usage: scc simulate [OPTION]… MODEL
+  1
+  $ view -o page.html 2>&1 | head -1
+  scc: --view and -o name the same file
+  $ view --store kept --summary -o summary.csv && cp page.html first.html && view --store kept --format jsonl -o runs.jsonl && cmp page.html first.html

@@ -206,11 +206,12 @@ def main():
     import frailties
     import pages
     import scenes
+    import simulated
     import walk
     told(models, scc, int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     b = browser.Browser()
     try:
-        for part in pages.PARTS + scenes.PARTS + frailties.PARTS + walk.PARTS:
+        for part in pages.PARTS + scenes.PARTS + frailties.PARTS + simulated.PARTS + walk.PARTS:
             told(part, b, scc)
     finally:
         b.quit()

@@ -134,6 +134,7 @@ class Every(Commands):
             "resume": {"=": 1, "resume": kept, "define": {}, "runs": 4}, "steps": 900,
             "quantiles": {"=": 1, "quantiles": ["1/4", Fraction(3, 4)], "summary": True},
             "plot": {"=": 1, "plot": self.path("simulate.svg"), "summary": True},
+            "view": self.path("simulate.html"),
         }, needed=tuple(needed), leave=("resume",))
         whole = simulate(WALK, resume=kept, **{**needed, "runs": 5})
         self.assertEqual([run.number for run in whole.runs], [0, 1, 2, 3, 4])

@@ -25,6 +25,7 @@ type options = {
   resume : string option;
   store : string option;
   plot : string option;
+  view : string option;
 }
 
 let quantiles_of o =
@@ -103,7 +104,7 @@ let conclude console ~room ~steps ~runs ~finished ~partly ~ended_early result =
     let why = Memory_of_runs.reason room in
     Ok (Kept_runs.stopped console ~why ~what:"run" ~partly ~written:finished ~count:runs stop)
 
-let in_all o = o.summary || Option.is_some o.plot
+let in_all o = o.summary || Option.is_some o.plot || Option.is_some o.view
 
 (* What is gone on with: how many runs there are, as text, and as runs where something is told of all of them. *)
 let before o report =
@@ -138,9 +139,10 @@ let simulate console o ~says_more ~room =
   let path = if o.summary then o.output else Resume.file ~output:o.output ~resume:o.resume in
   let* kept = Kept_runs.openly console ~folder:o.store ~identity:(identity o model) "the runs" in
   let written = ref there and ended_early = ref 0 and partly = ref 0 in
-  let all = ref (Report.nobody report) in
+  let all = ref (Report.nobody report) and page = Simulation_page.create plan in
   let add (r : Simulation.run) =
     if Option.is_some r.ended then incr ended_early;
+    if Option.is_some o.view then Simulation_page.add page r;
     if in_all o then all := Report.add !all r
   in
   List.iter add earlier;
@@ -160,14 +162,21 @@ let simulate console o ~says_more ~room =
     let chart put = put (Plot.chart report ~quantiles:(quantiles_of o) !all) in
     Console.with_output console ~path:(Some path) chart
   in
+  let view path =
+    let interrupted () = Memory_of_runs.stopped room in
+    let name = Filename.basename o.path in
+    Simulation_page.write page console loaded ~path ~name ~report ~asked:(last - from) ~first:from ~summary:!all
+      ~interrupted
+  in
   Console.flush console;
   match Console.with_output console ~pieces:(not o.summary) ~path write with
   | Error d -> Error [ d ]
   | Ok result ->
     let* () = Result.listed (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
+    let* whole = Option.fold ~none:(Ok true) ~some:view o.view in
     let runs = last - from and finished = !written and partly = !partly and ended_early = !ended_early in
     let* code = conclude console ~room ~steps:o.steps ~runs ~finished ~partly ~ended_early result in
-    Ok (Kept_runs.finish console kept code)
+    Ok (Kept_runs.finish console kept (if whole then code else Exit_code.worst [ code; Stopped ]))
 
 let run color progress o =
   let console = Console.make ?progress ~color ~json:false () in
@@ -218,6 +227,11 @@ let plot =
     "Draws a chart, as SVG: for each observable the mean over the time, and the range from the first to the \
      last of $(b,--quantiles)."
 
+let view =
+  Options.maybe Options.named [ "view" ] ~docv:"FILE"
+    "Writes a page that shows the first 20 runs, or fewer if they are large, as $(b,scc view) does. It has the \
+     distribution of each observable over all runs, at each time."
+
 let form =
   Options.default (Arg.enum [ ("csv", Report.Csv); ("jsonl", Jsonl) ]) Report.Csv [ "format" ] ~docv:"FORMAT"
     "$(b,csv) (RFC 4180), or $(b,jsonl), a JSON object a line."
@@ -239,7 +253,7 @@ let store_option =
     ~doc:
       "Stores the runs in the folder $(docv), which is created if necessary, while they are made. The same \
        command resumes, and so does one with another $(b,--runs) or $(b,--jobs), or with another output of the \
-       same runs ($(b,--format), $(b,--summary), $(b,--plot)). See STORES."
+       same runs ($(b,--format), $(b,--summary), $(b,--plot), $(b,--view)). See STORES."
 
 let fitting o =
   if Simulation.too_many ~every:o.every ~until:o.until then
@@ -247,9 +261,18 @@ let fitting o =
   else if List.exists (fun q -> Rat.compare q Rat.one > 0) (quantiles_of o) then Error "a quantile is not above 1"
   else if Option.is_some o.quantiles && (not o.summary) && Option.is_none o.plot then
     Error "--quantiles are those of --summary or --plot: neither is given"
+  else if Option.is_some o.view && Option.is_some o.resume then
+    Error "--view and --resume do not go together: with --store, the same command resumes and writes the page"
   else
+    let conflict path =
+      let times = Array.length (Simulation.times ~every:o.every ~until:o.until) in
+      Simulation_page.conflict ~times ~observables:(List.length o.observed) ~path
+        ~others:[ ("-o", o.output); ("--plot", o.plot); ("--store", o.store) ]
+    in
+    let view = Option.bind o.view conflict in
     let lines = o.form <> Csv || o.summary in
-    match (Resume.conflict ~resume:o.resume ~store:o.store ~part:o.part ~lines, o.resume) with
+    let conflict = Resume.conflict ~resume:o.resume ~store:o.store ~part:o.part ~lines in
+    match ((if Option.is_some view then view else conflict), o.resume) with
     | Some text, _ -> Error text
     | None, Some _ when Option.is_some o.decimals && Option.is_some o.plot && not o.summary ->
       Error "--resume with --decimals does not go with --plot, which takes exact numbers"
@@ -257,19 +280,19 @@ let fitting o =
 
 let options =
   let make path given runs seed jobs memory part observed every until steps summary quantiles form decimals output
-      resume store plot =
+      resume store plot view =
     fitting
       {
         path; given; runs; seed; jobs; memory; part; observed; every; until; steps; summary; quantiles; form;
         decimals;
-        output; resume; store; plot; }
+        output; resume; store; plot; view; }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ runs $ Run_options.seed $ Run_options.jobs
        $ Check_options.memory () $ Task_part.option ~what:"runs" $ observed $ every $ until $ steps
        $ summary $ quantiles $ form $ decimals
-       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot))
+       $ Options.output "Writes to $(docv) instead of standard output." $ resume $ store_option $ plot $ view))
 
 let command =
   let told =

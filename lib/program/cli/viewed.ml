@@ -43,15 +43,31 @@ let about (outcome : Verdict.outcome) : Runs.about =
     text = Verdict.outcome_to_string outcome;
   }
 
-(* A run that is interrupted is shown as far as it came. *)
-let ended (l : Loaded.t) = function
+(* The times of a simulation, and how many steps of a run are shown. *)
+type simulated = { until : Rat.t; most_steps : int; mutable steps : int }
+
+(* A run that is interrupted is shown as far as it came, and of a simulation also one that was given up. *)
+let ended (l : Loaded.t) simulated = function
   | Ok ending -> Ok ending
   | Error (Replay.Interrupted _) -> Ok Replay.Open
   | Error (Refused d) -> Error [ d ]
+  | Error (Fault f) when Option.is_some simulated -> Ok (Stuck f)
   | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
 
+let replay (l : Loaded.t) simulated policy limits ~interrupted (note : Replay.event -> unit) =
+  let counted (event : Replay.event) =
+    (match (event, simulated) with
+     | Step _, Some s -> s.steps <- s.steps + 1
+     | (Start _ | Step _ | Instant _ | End _), _ -> ());
+    note event
+  in
+  let enough () = match simulated with Some s -> s.steps >= s.most_steps | None -> false in
+  let interrupted () = enough () || interrupted () in
+  ended l simulated
+    (Replay.run ~joint:(Option.is_some simulated) l.semantics l.declared policy limits ~interrupted counted)
+
 (* A run by choices, up to where it ends. *)
-let follow (l : Loaded.t) policy limits ~interrupted =
+let follow (l : Loaded.t) simulated policy limits ~interrupted =
   let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
   let note : Replay.event -> unit = function
     | Start s -> initial := s
@@ -61,7 +77,7 @@ let follow (l : Loaded.t) policy limits ~interrupted =
     | Instant i -> offset := i.offset
     | End _ -> ()
   in
-  let* ending = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
+  let* ending = replay l simulated policy limits ~interrupted note in
   Ok (!initial, List.rev !steps, !offset, ending)
 
 let ending (l : Loaded.t) (e : Replay.ending) =
@@ -80,7 +96,10 @@ type making = {
   states : States.t;
   plots : Property.num list;
   most : int;
+  simulated : simulated option;
 }
+
+let until making = Option.map (fun s -> s.until) making.simulated
 
 let world_of making semantics =
   States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
@@ -108,15 +127,15 @@ let large_run making world ~name policy limits ~interrupted =
     | _, Some r -> Large_run.step r event
     | _, None -> Bug.fail __POS__ "a run without a start"
   in
-  let* how = ended l (Replay.run l.semantics l.declared policy limits ~interrupted note) in
-  let told r = Large_run.run r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
+  let* how = replay l making.simulated policy limits ~interrupted note in
+  let told r = Large_run.run ?until:(until making) r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
   match !run with Some r -> Ok (told r) | None -> Bug.fail __POS__ "a run without a start"
 
 let small_run making world ~name policy limits ~interrupted =
   let l = making.loaded in
-  let* initial, steps, offset, how = follow l policy limits ~interrupted in
+  let* initial, steps, offset, how = follow l making.simulated policy limits ~interrupted in
   Ok
-    (Runs.of_steps making.states world ~most:making.most ~name ~initial steps ~offset
+    (Runs.of_steps ?until:(until making) making.states world ~most:making.most ~name ~initial steps ~offset
        ~finish:(Trace.ending how) ~ending:(ending l how))
 
 let run_by_choices making = if Large_run.is_for making.loaded.model then large_run making else small_run making
@@ -260,6 +279,7 @@ let document console o watch =
       states = States.create ();
       plots = numbers @ List.filter (fun n -> not (List.exists (Formula.equal_num n) numbers)) named;
       most = Graph.bound point.model o.graph;
+      simulated = None;
     }
   in
   let world = world_of making point.semantics in
@@ -286,4 +306,81 @@ let document console o watch =
       graph;
       runs;
       where;
+      spread = None;
+    }
+
+(* {1 Runs of a simulation} *)
+
+type simulation = {
+  spread : Spread.t;
+  limits : Replay.limits;
+  numbers : Property.num list;
+}
+
+let most_runs = 20
+let most_steps = 20_000
+let most_bytes = 16_000_000
+
+(* The bytes of the rows of states and processes from these numbers on, and the next numbers. *)
+let bytes_since making (first_state, first_process) =
+  let of_texts = List.fold_left (fun n text -> n + String.length text) 0 in
+  let states = States.count making.states in
+  let row i = Scc_json.Json.line (States.json making.states (first_state + i)) in
+  let processes = Rows.since making.tables.processes first_process in
+  ( of_texts (List.init (states - first_state) row) + of_texts processes,
+    (states, first_process + List.length processes) )
+
+(* A run of the table, as far as it is shown; one that an interruption has ended, to where it was last observed. *)
+let simulated_run making world s (run : Spread.shown) ~cut ~interrupted =
+  let seed = Scc_simulate.Simulation.seed_of s.spread.seed run.number in
+  let time = match cut with Some time -> Some time | None -> s.limits.time in
+  Option.iter (fun (m : simulated) -> m.steps <- 0) making.simulated;
+  let name = Printf.sprintf "run %d" run.number in
+  let* made = run_by_choices making world ~name (Random seed) { s.limits with time } ~interrupted in
+  let shortened =
+    match making.simulated with
+    | Some { steps; most_steps; _ } when steps >= most_steps ->
+      [ Printf.sprintf "the page shows its first %d transitions" steps ]
+    | Some _ | None -> []
+  in
+  let how = match run.ended with Some text -> text | None -> "it comes to the last time of the table" in
+  let again = Printf.sprintf "`scc trace --choose random:%Ld` makes it, too" seed in
+  let ending = (how :: shortened) @ [ again ] in
+  Ok { made with course = Option.map (fun c -> { c with Runs.ending }) made.course }
+
+let simulated (l : Loaded.t) ~name s ~cut ~interrupted =
+  let making =
+    {
+      loaded = l;
+      tables = Tables.create ();
+      states = States.create ();
+      plots = s.numbers;
+      most = 0;
+      simulated = Some { until = s.spread.times.(Array.length s.spread.times - 1); most_steps; steps = 0 };
+    }
+  in
+  let world = world_of making l.semantics in
+  let* initial = Loaded.initial l in
+  ignore (States.start world initial);
+  let rec go made bytes rows = function
+    | (run : Spread.shown) :: rest when bytes < most_bytes && not (made <> [] && interrupted ()) ->
+      let* shown = simulated_run making world s run ~cut:(cut run) ~interrupted in
+      let more, rows = bytes_since making rows in
+      go ((run, shown) :: made) (bytes + more) rows rest
+    | _ -> Ok (List.rev made)
+  in
+  let* made = go [] 0 (0, 0) s.spread.shown in
+  let states = States.count making.states in
+  let graph = { Graph.states; expanded = states; complete = false; bound = states } in
+  Ok
+    {
+      Document.loaded = l;
+      name;
+      tables = making.tables;
+      states = making.states;
+      plots = making.plots;
+      graph = (if Large_run.is_for l.model then None else Some graph);
+      runs = List.map snd made;
+      where = None;
+      spread = Some { s.spread with shown = List.map fst made };
     }

@@ -50,3 +50,26 @@ val report :
     result
 (** The verdicts and, for a model with ranges, the values for which checks hold, and probabilities as functions of
     the values ({!Drawn_checks.split}). *)
+
+(** {1 Runs of a simulation} *)
+
+(** A simulation that was made. *)
+type simulation = {
+  spread : Scc_view.Spread.t;  (** with all runs that may be shown *)
+  limits : Scc_runs.Replay.limits;  (** of each run *)
+  numbers : Scc_property.Property.num list;  (** to plot *)
+}
+
+val most_runs : int
+(** The greatest number of runs that a page shows: 20. *)
+
+val simulated :
+  Loaded.t ->
+  name:string ->
+  simulation ->
+  cut:(Scc_view.Spread.shown -> Scc_exact.Rat.t option) ->
+  interrupted:(unit -> bool) ->
+  (Scc_view.Document.t, Diag.t list) result
+(** The document of a simulation. Each run of the spread is made again from its seed, up to 20 000 transitions,
+    until the rows of the document have 16 MB or [interrupted] is true. The spread of the document has the runs
+    that were made. [cut run] is how far a run is made that an interruption has ended. *)

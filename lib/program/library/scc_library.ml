@@ -268,7 +268,7 @@ let document ~states ~title (l : Loaded.t) =
   let graph = View.Graph.explore all world ~most:made.most ~interrupted:(fun () -> false) initial in
   let runs = List.map (run_of made world ~plots) report.outcomes in
   let graph = Some graph and where = where l report in
-  Ok { View.Document.loaded = point; name = title; tables; states = all; plots; graph; runs; where }
+  Ok { View.Document.loaded = point; name = title; tables; states = all; plots; graph; runs; where; spread = None }
 
 let page ?(states = 1000) ~title m put =
   let write document = View.Page.write ~title (View.Document.write document) put in

@@ -64,6 +64,11 @@ let header_format =
            "null: lines of runs follow, as many as there are. Otherwise a line for each time and observable.";
      ])
 
+(* The line of a run that ended early does not say how far it came: at least to its last value. *)
+let reached ~ended values =
+  let rec last n = if n > 0 && Array.for_all Option.is_none values.(n - 1) then last (n - 1) else n in
+  if Option.is_none ended then Array.length values else last (Array.length values)
+
 let run_format =
   let rows (t, (r : Simulation.run)) =
     List.map (fun row -> List.map (fun q -> (t, q)) (Array.to_list row)) (Array.to_list r.values)
@@ -85,7 +90,8 @@ let run_format =
          ~about:"true: an interruption ended it, and it would have gone on. --resume makes it anew."
      in
      let interrupted = Option.value interrupted ~default:false in
-     { Simulation.number; values = Array.of_list (List.map Array.of_list values); ended; interrupted })
+     let values = Array.of_list (List.map Array.of_list values) in
+     { Simulation.number; values; reached = reached ~ended values; ended; interrupted })
 
 (* No two columns have one name: a model may have parameters of these names, and every model has a time. *)
 let columns t =

@@ -38,7 +38,7 @@ val run : t -> Simulation.run -> string
 
 val read : string -> Simulation.run option
 (** The run of a line of JSON Lines that {!run} has written with exact numbers, and [None] for any other
-    line. *)
+    line. A run that ended early is taken to have come to its last value. *)
 
 (** {1 All together} *)
 

@@ -29,7 +29,13 @@ let golden = 0x9E3779B97F4A7C15L
 let seed_of seed k =
   fst (Splitmix64.next (Splitmix64.of_seed (Int64.add seed (Int64.mul (Int64.of_int k) golden))))
 
-type run = { number : int; values : Rat.t option array array; ended : string option; interrupted : bool }
+type run = {
+  number : int;
+  values : Rat.t option array array;
+  reached : int;
+  ended : string option;
+  interrupted : bool;
+}
 
 let observed plan state =
   Array.of_list (List.map (fun o -> Table.exact plan.semantics o state) plan.observables)
@@ -107,4 +113,4 @@ let run plan ~seed ~interrupted number =
      cut := not (is_done ());
      finish ~steps:!taken ~time:!now Broken_off
    | Error (Refused _) -> Bug.fail __POS__ "a run that nobody leads");
-  { number; values; ended = !ended; interrupted = !cut }
+  { number; values; reached = !next; ended = !ended; interrupted = !cut }

@@ -33,6 +33,7 @@ val seed_of : int64 -> int -> int64
 type run = {
   number : int;
   values : Rat.t option array array;  (** by time, and then by observable *)
+  reached : int;  (** at so many of the times, the first ones, it was observed *)
   ended : string option;  (** why it ended before the last time *)
   interrupted : bool;  (** it ended by an interruption, and would have gone on *)
 }

@@ -25,6 +25,7 @@ let variance t =
     let around = Rat.sub t.squares (Rat.mul t.sum (mean t)) in
     Some (Rat.div around (Rat.of_int (t.count - 1)))
 
+let sorted t = Lazy.force t.sorted
 let at t i = (Lazy.force t.sorted).(i)
 let least t = at t 0
 let greatest t = at t (t.count - 1)

@@ -27,6 +27,9 @@ val least : t -> Rat.t
 val greatest : t -> Rat.t
 (** The greatest value; it needs at least one. *)
 
+val sorted : t -> Rat.t array
+(** All values, from the least to the greatest. The array must not be changed. *)
+
 val quantile : t -> Rat.t -> Rat.t
 (** [quantile t q] is the quantile by nearest rank: the least value such that a share of at least [q] of all
     values is not above it. For [q] = 0 it is the least value. It needs at least one value. *)

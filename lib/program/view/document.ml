@@ -15,6 +15,7 @@ type t = {
   graph : Graph.t option;
   runs : Runs.t list;
   where : Regions.t option;
+  spread : Spread.t option;
 }
 
 (* {1 All but the rows} *)
@@ -54,6 +55,8 @@ let head =
        field "rules" (entries text) (model rules) ~about:"Entries of the rule book, in Markdown.";
        field "where" (nullable Regions.format) (fun (d, _) -> d.where)
          ~about:"Of a model with ranges: for which values checks hold.";
+       maybe "spread" Spread.format (fun (d, _) -> d.spread)
+         ~about:"Of runs of a simulation: the values of all its runs.";
      ])
 
 (* {1 Rows} *)

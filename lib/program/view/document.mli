@@ -14,6 +14,7 @@ type t = {
   graph : Graph.t option;  (** the exploration, if the document has all states up to a bound *)
   runs : Runs.t list;
   where : Regions.t option;  (** of a model with ranges *)
+  spread : Spread.t option;  (** of runs of a simulation: the values of all its runs *)
 }
 
 val format : (t * Bodies.t list, unit) Json_format.t

@@ -141,13 +141,18 @@ let step t (event : Replay.event) =
 
 (* Where nothing happens any more, the run is looked at for a while. No body turns in such a network
    ([Scc_engine.Run.eventwise]), so that nothing is told of that time but how long it is. *)
-let look_on t =
+let look_on ?until t =
   tell_values t Forever;
   States.rest t.world t.last;
-  t.rest <- Rat.max t.rest (Runs.a_while (States.semantics t.world) ~over:t.now (whole t))
+  let wanted =
+    match until with
+    | Some time -> Rat.sub time t.now
+    | None -> Runs.a_while (States.semantics t.world) ~over:t.now (whole t)
+  in
+  t.rest <- Rat.max t.rest wanted
 
-let run t ~name ~finish ~ending =
-  if String.equal finish "quiescent" then look_on t else tell_values t (Lasts t.rest);
+let run ?until t ~name ~finish ~ending =
+  if String.equal finish "quiescent" then look_on ?until t else tell_values t (Lasts t.rest);
   let steps = List.rev t.told in
   Runs.run name None
     (Some { start = t.first; steps; rest = t.rest; finish; cycle = None; facts = []; argument = None; ending })

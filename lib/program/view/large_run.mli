@@ -1,6 +1,7 @@
 (** Runs of networks with so many bodies that states are not examined one by one. Each state is given by its
     changes, so the cost is about that of the events. *)
 
+open Scc_exact
 open Scc_calculus
 open Scc_runs
 
@@ -19,5 +20,6 @@ val step : t -> Replay.event -> unit
 (** Adds an event. It must be called with each event of the run. Where the run does not tell its
     changes ({!Scc_engine.Run.changes}), whole states are compared. *)
 
-val run : t -> name:string -> finish:string -> ending:string list -> Runs.t
-(** The run as a run of the document, with its name, its kind of end and lines about its end. *)
+val run : ?until:Rat.t -> t -> name:string -> finish:string -> ending:string list -> Runs.t
+(** The run as a run of the document, with its name, its kind of end and lines about its end. Where nothing happens
+    any more, it is shown for {!Runs.a_while}, or up to the time [until]. *)

@@ -142,6 +142,7 @@ let follow states world ~most ~tail (n, state) steps =
 
 (* In a network that rests, what spins goes from turn to turn: they are told one by one, and no more than this. *)
 let most_turns = 32
+let most_turns_until = 1000
 
 let rec turns semantics state left count =
   let turn = Array.to_list state.State.processes |> List.filter_map Turn.left in
@@ -189,10 +190,14 @@ let a_while semantics ~over state =
     let long = Rat.max (Rat.mul Rat.half over) (Rat.min (across state) most) in
     Rat.mul step (Rat.make (Z.add Z.one (Rat.floor (Rat.div long step))) Z.one)
 
-let finished states world ~most (n, state) ~rests ~over offset =
+let finished ?until states world ~most (n, state) ~rests ~over offset =
   let semantics = States.semantics world in
   if rests && Network.quiescent semantics state then begin
-    let wanted = Rat.max offset (a_while semantics ~over state) in
+    let wanted, most_turns =
+      match until with
+      | Some time -> (Rat.max offset (Rat.sub time over), most_turns_until)
+      | None -> (Rat.max offset (a_while semantics ~over state), most_turns)
+    in
     let steps, left = turns semantics state wanted most_turns in
     let n, state, told = follow states world ~most ~tail:true (n, state) steps in
     ignore (Graph.expand states world ~most (n, state));
@@ -208,10 +213,10 @@ let finished states world ~most (n, state) ~rests ~over offset =
 let duration steps =
   List.fold_left (fun d s -> Rat.add d (Transition.duration_of s.label)) Rat.zero steps
 
-let follow_to states world ~most ~initial steps ~offset ~rests ~finish =
+let follow_to ?until states world ~most ~initial steps ~offset ~rests ~finish =
   let start = States.start world initial in
   let n, state, told = follow states world ~most ~tail:false (start, initial) steps in
-  let tail, rest = finished states world ~most (n, state) ~rests ~over:(duration steps) offset in
+  let tail, rest = finished ?until states world ~most (n, state) ~rests ~over:(duration steps) offset in
   { start; steps = told @ tail; rest; finish; cycle = None; facts = []; argument = None; ending = [] }
 
 let of_witness states world ~most ~name check (w : Witness.t) =
@@ -240,7 +245,7 @@ let of_witness states world ~most ~name check (w : Witness.t) =
   let ending = Witness.ending model { w with argument = None } in
   { (run name check (Some { course with cycle; facts = w.facts; argument = w.argument; ending })) with values }
 
-let of_steps states world ~most ~name ~initial steps ~offset ~finish ~ending =
+let of_steps ?until states world ~most ~name ~initial steps ~offset ~finish ~ending =
   let rests = String.equal finish "quiescent" in
-  let course = follow_to states world ~most ~initial steps ~offset ~rests ~finish in
+  let course = follow_to ?until states world ~most ~initial steps ~offset ~rests ~finish in
   run name None (Some { course with ending })

@@ -75,6 +75,7 @@ val of_witness : States.t -> States.world -> most:int -> name:string -> about op
     [most]. *)
 
 val of_steps :
+  ?until:Rat.t ->
   States.t ->
   States.world ->
   most:int ->
@@ -86,7 +87,8 @@ val of_steps :
   ending:string list ->
   t
 (** A run that was made by choices, and ends [offset] after its last transition. Its states get their
-    transitions, as by {!Graph.expand} with [most]. *)
+    transitions, as by {!Graph.expand} with [most]. Where nothing happens any more, it is shown for {!a_while}, or
+    up to the time [until]. *)
 
 val a_while : Semantics.t -> over:Rat.t -> State.t -> Rat.t
 (** [a_while semantics ~over state] is how long a run is shown after [state], in which nothing happens any

@@ -265,6 +265,7 @@ def simulate(
     steps: Optional[int] = None,
     store: Optional[Path] = None,
     summary: bool = False,
+    view: Optional[Path] = None,
     scc: Optional[str] = None,
     progress: Progress = None,
 ) -> Simulated:
@@ -299,10 +300,12 @@ def simulate(
     ``steps``: Ends a run after N transitions; the draws and lots of one instant count as one.
     ``store``: Stores the runs in the folder DIR, which is created if necessary, while they are made. The same
       command resumes, and so does one with another --runs or --jobs, or with another output of the same runs
-      (--format, --summary, --plot). See STORES.
+      (--format, --summary, --plot, --view). See STORES.
     ``summary``: Summarises all runs, for each time and observable: the number of runs with a value, mean,
       variance of the sample, standard deviation, least, quantiles and greatest. All are exact except the
       deviation, which is rounded to --decimals, or 6.
+    ``view``: Writes a page that shows the first 20 runs, or fewer if they are large, as scc view does. It has
+      the distribution of each observable over all runs, at each time.
 
     ``scc``: the program; by default that of the environment variable SCC, or the one that this package carries,
     or the one on the PATH. ``progress``: True shows progress on standard error, and a function gets each line
@@ -328,6 +331,7 @@ def simulate(
         *words.integer("--steps", steps),
         *words.path("--store", store),
         *words.flag("--summary", summary),
+        *words.path("--view", view),
     ]
     return _calls.simulate(model, given, scc, progress, output=output, resume=resume, summary=summary, format=format)
 
