@@ -71,7 +71,8 @@ val progress : t -> string -> unit
 (** Replaces the line of progress, on a terminal only, or passes it to the function of {!make}. *)
 
 val phase : t -> string -> unit
-(** [phase console line] shows what begins now, before there are numbers to show, where {!progress} shows its line. *)
+(** [phase console line] shows what begins now, before there are numbers to show, where {!progress} shows its
+    line. *)
 
 val progress_lines : unit -> phase:bool -> string -> unit
 (** [progress_lines ()] is a function for {!make} that writes lines of progress to standard error, each as

@@ -28,8 +28,8 @@ val serve :
   unit Lwt.t
 (** Handles each incoming connection until [stop]: at most [most] at a time, and each for at most [seconds]. If its
     head has not come after [head_seconds], a connection ends. When all places are taken, a new connection takes
-    the place of the oldest one whose head has not come for a second; it waits if there is none. If a handler fails,
-    only its connection ends. *)
+    the place of the oldest one whose head has not come for a second. It waits if there is none. If a handler
+    fails, only its connection ends. *)
 
 val hear_body : conn -> unit
 (** Allows the body of a request to be read. Before, at most 64 KiB are read. A line of the body (of one in

@@ -34,19 +34,6 @@ type t = {
 val most_cells : int
 (** A page has room for so many times of so many observables together: 10 000. *)
 
-(** {1 Bars} *)
-
-(** Bars of equal widths without gaps: bar [i] has the values from [from + i width] on, up to [width] more, which
-    belong to the next one; or the value [from + i width] alone. *)
-type bars = { from : Rat.t; width : Rat.t; single : bool; counts : int array }
-
-val most_bars : int
-(** The greatest number of bars: 26. *)
-
-val bars : Rat.t array -> bars option
-(** The bars of sorted values, and [None] for no values. Bars are of single values where these are multiples of one
-    number apart, and few enough. Otherwise they begin at multiples of 1, 2 or 5 times a power of ten. *)
-
 (** {1 JSON} *)
 
 val format : (t, unit) Json_format.t
