@@ -23,8 +23,8 @@ let most_cells = 10_000
 
 (* {1 Bars} *)
 
-(* Of equal widths without gaps: bar [i] has the values from [from + i width] on, up to [width] more, which belong to
-   the next one; or the value [from + i width] alone. *)
+(* Of equal widths without gaps: bar [i] has the values from [from + i width] on, up to [width] more, which belong
+   to the next one; or the value [from + i width] alone. *)
 type bars = { from : Rat.t; width : Rat.t; single : bool; counts : int array }
 
 (* From multiples of a width on there may be one bar more, and another one for the greatest value. *)
@@ -53,8 +53,8 @@ let round_width range =
   let widths = List.map (fun k -> Rat.mul (Rat.of_int k) power) [ 1; 2; 5; 10 ] in
   List.find (fun w -> Rat.compare share w <= 0) widths
 
-(* Of sorted values. Bars are of single values where these are multiples of one number apart, and few enough. Otherwise
-   they begin at multiples of 1, 2 or 5 times a power of ten. *)
+(* Of sorted values. Bars are of single values where these are multiples of one number apart, and few enough.
+   Otherwise they begin at multiples of 1, 2 or 5 times a power of ten. *)
 let bars sorted =
   match Array.length sorted with
   | 0 -> None
