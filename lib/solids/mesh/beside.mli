@@ -12,3 +12,7 @@ val path : path:string -> string -> (string, string) result
 
 val find : reader -> path:string -> string -> (string, string) result
 (** [find read ~path name] is the file at {!path}. *)
+
+val address : reader -> path:string -> string -> (string * string, string) result
+(** [address read ~path name] is the path and the contents of the file of that name beside the file [path]. If
+    there is none, it is the one of the name that [name] writes by {!Scc_base.Percent}, as addresses do. *)

@@ -112,7 +112,8 @@ let chosen (e : Scene.elsewhere) url file =
           "an address without a name means the first PROTO, and the file %s has no PROTO of its own" path)
   | Some i, all -> (
       let name = String.sub url (i + 1) (String.length url - i - 1) in
-      match List.find_opt (fun p -> String.equal p.name name) all with
+      let of_name name = List.find_opt (fun p -> String.equal p.name name) all in
+      match (match of_name name with None -> of_name (Percent.decoded name) | found -> found) with
       | Some found -> found.made
       | None ->
         refuse e ~hint:("write one of the names that are there: " ^ names)
@@ -150,10 +151,8 @@ let check_interface (e : Scene.elsewhere) url (found : Scene.interface) =
   List.iter one e.interface
 
 let find t ~depth ~length (e : Scene.elsewhere) =
-  let one url =
-    Result.bind (Beside.path ~path:e.path (file_of url)) (fun path ->
-        Result.map (fun text -> (path, text)) (if Hashtbl.mem t.loaded path then Ok "" else t.files path))
-  in
+  let text path = if Hashtbl.mem t.loaded path then Ok "" else t.files path in
+  let one url = Beside.address text ~path:e.path (file_of url) in
   let rec first why = function
     | [] -> (
         match why with
@@ -173,7 +172,7 @@ let find t ~depth ~length (e : Scene.elsewhere) =
         | Ok (path, text) -> (url, load t ~depth e path text))
   in
   if t.following >= most_followed then
-    refuse e ~hint:"write the address of the file that has the body of the prototype, and end any cycle"
+    refuse e ~hint:"end the cycle: write the address of the file that has the body of the prototype"
       "prototypes in other files lead to each other more than %d times" most_followed;
   t.following <- t.following + 1;
   let url, file = first None e.urls in

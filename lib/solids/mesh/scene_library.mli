@@ -59,8 +59,9 @@ val elsewhere :
 
 val find : t -> depth:int -> length:Scc_exact.Rat.t -> Scene.elsewhere -> prototype
 (** [find library ~depth ~length elsewhere] is the prototype in the first of its files that can be read.
-    There it has the name that follows [#], or is the first one whose body is in that file. Its interface is the
-    one in [elsewhere]. A field there that the prototype does not have so is refused (SC0320).
+    There it has the name that follows [#], as it stands or as addresses write it. Without [#] it is the first one
+    whose body is in that file. Its interface is the one in [elsewhere]. A field there that the prototype does not
+    have so is refused (SC0320).
 
     Without such a file, and in a file with another unit of length than [length], it is refused (SC0321). So it is
     when a prototype leads to itself, from file to file. *)

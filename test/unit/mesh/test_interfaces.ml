@@ -28,6 +28,9 @@ let files =
     ("second.x3d", x3d (extern "E" "sizes.x3d#P" ^ declare "Q" 4));
     ("outer.wrl", wrl "EXTERNPROTO E [ ] \"sizes.wrl#P\""); ("outer.x3d", x3d (extern "E" "sizes.x3d#P"));
     ("twice.wrl", wrl ("PROTO P [ ] " ^ box 2 ^ " PROTO P [ ] " ^ box 4));
+    ("a b.wrl", wrl ("PROTO P [ ] " ^ box 2)); ("c d.wrl", wrl ("PROTO P [ ] " ^ box 2));
+    ("c%20d.wrl", wrl ("PROTO P [ ] " ^ box 2 ^ "PROTO %50 [ ] " ^ box 4));
+    ("a scene.wrl", wrl "Shape { geometry Box { } }");
     ("twice.x3d", x3d (declare "P" 2 ^ declare "P" 4));
   ]
 
@@ -108,6 +111,12 @@ let rows =
     ( "a value outside", outer "field SFVec3f s 1 1 1" "sizes.wrl" "",
       outer_xml (field ~more:"value='1 1 1'" "inputOutput" "SFVec3f" "s") "sizes.x3d" "",
       "has no value: the other file gives it one" );
+    ("an address", outer "" "a%20b.wrl#%50" "P { }", outer_xml "" "a%20b.wrl#%50" use, "-1");
+    ("an address, in words", outer "" "a b.wrl" "P { }", outer_xml "" "\"a b.wrl\"" use, "-1");
+    ("as it stands", outer "" "c%20d.wrl#%50" "P { }", outer_xml "" "c%20d.wrl#%50" use, "-2");
+    ("an address above", outer "" "%2E%2e/a.wrl" "P { }", outer_xml "" "%2E%2e/a.wrl" use,
+     "only files beside it are read, by a name without `..`, drive or address");
+    ( "an Inline", "Inline { url \"a%20scene.wrl\" }", "<Inline url='\"a%20scene.wrl\"'/>", "-1" );
     ( "another name", outer "" "second.wrl#No" "P { }", outer_xml "" "second.wrl#No" use,
       "the file `second.wrl` has no prototype of the name `No`" );
   ]
@@ -123,4 +132,33 @@ let check (what, vrml, xml, expected) =
   in
   Alcotest.test_case what `Quick test
 
-let suite = ("interfaces", [ ("both", List.map check rows) ])
+(* What helps is another thing for each fault. *)
+let hints () =
+  let of_file text rest =
+    let files path = if path = "o.wrl" then Ok (wrl text) else Error "it is not there" in
+    match Mesh.read ~files ~path:"t.wrl" (wrl rest) with
+    | Error d -> Option.value d.hint ~default:""
+    | Ok _ -> "it is read"
+  in
+  let extern = "EXTERNPROTO P [ ] \"o.wrl#P\" " in
+  let found =
+    [
+      of_file extern (extern ^ "P { }");
+      of_file ("PROTO A [ ] " ^ box 2 ^ "PROTO B [ ] " ^ box 2) (extern ^ "P { }");
+      of_file ("UNIT length mm 0.001 PROTO P [ ] " ^ box 2) (extern ^ "P { }");
+      of_file "" "EXTERNPROTO P [ ] \"none.wrl\" P { }";
+      of_file "Inline { url \"o.wrl\" }" "Inline { url \"o.wrl\" }";
+    ]
+  in
+  Alcotest.(check (list string)) "hints"
+    [
+      "end the cycle: write the address of the file that has the body of the prototype";
+      "write one of the names that are there: `A`, `B`";
+      "write the lengths in both files in one unit, and state it in both";
+      "put the declaration of the prototype into this file, or that file beside this one";
+      "remove one of the Inlines that lead from the file to itself";
+    ]
+    found
+
+let suite =
+  ("interfaces", [ ("both", List.map check rows); ("hints", [ Alcotest.test_case "each its own" `Quick hints ]) ])
