@@ -119,6 +119,11 @@ let access_of = function
 let no_field r (w : word) = Scene.bad ~path:r.path w "expected a field or an event, found %s" (quote w.text)
 let open_interface r at = Scene.bad ~path:r.path at "a `[` without its `]`"
 
+let begins_value (w : word) rest =
+  is_plain w
+  || List.mem w.text [ "["; "NULL"; "DEF"; "USE" ]
+  || match rest with { text = "{"; _ } :: _ -> true | _ -> false
+
 (* The declarations of a prototype in another file up to the `]`, the last one first. *)
 let rec outer_interface r at found =
   match r.left with
@@ -130,7 +135,7 @@ let rec outer_interface r at found =
       | Some access, kind :: field :: rest when is_name kind && is_name field ->
         r.left <- rest;
         outer_interface r at ({ Scene.field; type_ = kind.text; access } :: found)
-      | None, _ when found <> [] && (is_plain w || w.text = "[" || w.text = "NULL") ->
+      | None, _ when found <> [] && begins_value w rest ->
         Scene.bad ~path:r.path w "a field of an EXTERNPROTO has no value: the other file gives it one"
       | _ -> no_field r w)
   | [] -> open_interface r at
@@ -229,15 +234,8 @@ and simple r depth at kind name =
 
 (* Scripts and shaders declare fields, as words of their own; other nodes have each field once. *)
 and check_once r (kind : word) fields =
-  let by_name ((a : word), _) ((b : word), _) = compare (a.text, a.start) (b.text, b.start) in
-  let rec go = function
-    | ((a : word), _) :: (((b : word), _) :: _ as rest) ->
-      if String.equal a.text b.text then Scene.bad ~path:r.path b "`%s` is there twice" b.text;
-      go rest
-    | [ _ ] | [] -> ()
-  in
   match Scene_table.find kind.text with
-  | Read _ | Left_out -> go (List.sort by_name fields)
+  | Read _ | Left_out -> Scene.check_twice ~path:r.path (List.rev_map fst fields)
   | Still | Unread _ -> ()
 
 (* All fields up to the `}`. One that is connected to an event has no value. *)
