@@ -17,3 +17,11 @@ let path ~path name =
     Ok (if String.equal folder Filename.current_dir_name then name else Filename.concat folder name)
 
 let find read ~path:beside name = Result.bind (path ~path:beside name) read
+
+let address read ~path:beside name =
+  let one name =
+    Result.bind (path ~path:beside name) (fun path -> Result.map (fun text -> (path, text)) (read path))
+  in
+  match (one name, Scc_base.Percent.decoded_strictly name) with
+  | Error _, Some decoded when not (String.equal decoded name) -> one decoded
+  | found, _ -> found

@@ -63,22 +63,71 @@ let changes names routes =
 (* {1 Prototypes} *)
 
 type fields = (string * value option) list
-type elsewhere = { path : string; name : string; at : Text.word; urls : string list }
-type 'body prototype = Elsewhere of elsewhere | Inside | Own of { fields : fields; body : 'body }
+type access = In | Out | Field | Exposed | Unsaid
+type declared = { field : Text.word; type_ : string; access : access }
+type interface = declared list
+
+let access_name = function
+  | In -> "an event that comes in"
+  | Out -> "an event that goes out"
+  | Field | Exposed | Unsaid -> "a field with a value"
+
+type elsewhere = { path : string; name : string; interface : interface; at : Text.word; urls : string list }
+type 'body prototype =
+  | Elsewhere of elsewhere
+  | Inside
+  | Own of { interface : interface; fields : fields; body : 'body }
 
 let within (name : string) known = if List.mem_assoc name known then known else (name, Inside) :: known
 
 let inside ~path w name = bad ~path w "the prototype %s is used inside of itself" (Text.quote name)
 
-let given ~path (kind : Text.word) fields values =
+let check_twice ~path words =
+  let met = Hashtbl.create 16 in
+  let one (w : Text.word) =
+    if Hashtbl.mem met w.text then bad ~path w "`%s` is there twice" w.text;
+    Hashtbl.replace met w.text ()
+  in
+  List.iter one words
+
+let check_interface ~path interface = check_twice ~path (List.map (fun d -> d.field) interface)
+
+(* The nodes of VRML 97, which are in each version of X3D too. X3D has more from version to version, and a file of
+   an older one may declare them. *)
+let built_in =
+  String.split_on_char ' '
+    "Anchor Appearance AudioClip Background Billboard Box Collision Color ColorInterpolator Cone Coordinate \
+     CoordinateInterpolator Cylinder CylinderSensor DirectionalLight ElevationGrid Extrusion Fog FontStyle Group \
+     ImageTexture IndexedFaceSet IndexedLineSet Inline LOD Material MovieTexture NavigationInfo Normal \
+     NormalInterpolator OrientationInterpolator PixelTexture PlaneSensor PointLight PointSet \
+     PositionInterpolator ProximitySensor ScalarInterpolator Script Shape Sound Sphere SphereSensor SpotLight \
+     Switch Text TextureCoordinate TextureTransform TimeSensor TouchSensor Transform Viewpoint VisibilitySensor \
+     WorldInfo"
+
+type scope = (string, unit) Hashtbl.t
+
+let scope () : scope = Hashtbl.create 8
+
+let declare ~path scope (w : Text.word) =
+  if List.mem w.text built_in then
+    bad ~path w "%s is a node of the format, and no name for a prototype" (Text.quote w.text);
+  if Hashtbl.mem scope w.text then bad ~path w "the prototype %s is declared twice" (Text.quote w.text);
+  Hashtbl.replace scope w.text ()
+
+let given ~path (kind : Text.word) interface fields values =
+  let has_value (w : Text.word) d =
+    String.equal d.field.text w.text
+    && (match d.access with In | Out -> false | Field | Exposed | Unsaid -> true)
+  in
   let known ((w : Text.word), _) =
     match List.assoc_opt w.text fields with
-    | Some (Some _) -> ()
-    | Some None | None ->
+    | Some (Some _) when List.exists (has_value w) interface -> ()
+    | Some (Some _) | Some None | None ->
       unread ~path w ~hint:"its fields are those in its declaration"
         "the prototype %s has no field %s that has a value" (Text.quote kind.text) (Text.quote w.text)
   in
   List.iter known values;
+  check_twice ~path (List.map fst values);
   let set (name, default) =
     let own = List.find_opt (fun ((w : Text.word), _) -> String.equal w.text name) values in
     (name, match own with Some (_, value) -> Some value | None -> default)

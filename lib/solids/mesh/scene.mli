@@ -69,16 +69,37 @@ val changes : names -> route list -> change list
 type fields = (string * value option) list
 (** The values of fields, by name; [None] for events. *)
 
+(** How an interface declares a field: an event that comes in or goes out, a value, a value with events, or without
+    a word of it. *)
+type access = In | Out | Field | Exposed | Unsaid
+
+type declared = {
+  field : Text.word;  (** its name *)
+  type_ : string;  (** its type, [""] if that is not stated *)
+  access : access;
+}
+(** A field of an interface. *)
+
+type interface = declared list
+(** What a prototype declares. *)
+
+val access_name : access -> string
+(** How a message names that. *)
+
 type elsewhere = {
   path : string;  (** the file that declares it so *)
   name : string;  (** in that file *)
+  interface : interface;  (** what it declares of that prototype *)
   at : Text.word;  (** where its addresses are *)
   urls : string list;
 }
 (** A prototype in another file. *)
 
 (** What is declared: in another file, around this place, or in this file before it, with its body. *)
-type 'body prototype = Elsewhere of elsewhere | Inside | Own of { fields : fields; body : 'body }
+type 'body prototype =
+  | Elsewhere of elsewhere
+  | Inside
+  | Own of { interface : interface; fields : fields; body : 'body }
 
 val within : string -> (string * 'body prototype) list -> (string * 'body prototype) list
 (** [within name known] are the prototypes that the body of [name] can use, if those in [known] are declared before
@@ -87,9 +108,26 @@ val within : string -> (string * 'body prototype) list -> (string * 'body protot
 val inside : path:string -> Text.word -> string -> 'a
 (** A prototype of that name is used inside of itself: raises {!Refused}. *)
 
-val given : path:string -> Text.word -> fields -> (Text.word * value) list -> fields
-(** [given ~path kind fields values] are the fields of a prototype with the values of an instance. A value for what
-    is no field raises {!Refused} (SC0321). *)
+val check_twice : path:string -> Text.word list -> unit
+(** A name that is there twice raises {!Refused} at its second place. *)
+
+val check_interface : path:string -> interface -> unit
+(** A field that is declared twice raises {!Refused}. *)
+
+type scope
+(** The names of prototypes that a file, or the body of a prototype, has declared so far. *)
+
+val scope : unit -> scope
+(** No names. *)
+
+val declare : path:string -> scope -> Text.word -> unit
+(** A prototype of that name is declared in the scope. It raises {!Refused} if that has one of this name, and if
+    VRML 97 has a node of this name. *)
+
+val given : path:string -> Text.word -> interface -> fields -> (Text.word * value) list -> fields
+(** [given ~path kind interface fields values] are the fields of a prototype with the values of an instance. A
+    value for what is no field with a value in [interface] raises {!Refused} (SC0321). So does one that is given
+    twice (SC0320). *)
 
 val connected : path:string -> fields -> Text.word -> value option
 (** The value of a field of the prototype to which a field of a node in its body is connected ([IS]); [None] for an

@@ -158,13 +158,10 @@ let inline t (node : node) =
   (* An address in the body of a prototype is beside the file of that. *)
   let beside = match words with w :: _ -> Scene_library.path_of t.library ~path:t.path w | [] -> t.path in
   let text path = if Hashtbl.mem t.loaded path then Ok "" else Scene_library.files t.library path in
-  let one url =
-    Result.bind (Beside.path ~path:beside (Scene_library.file_of url)) (fun path ->
-        Result.map (fun text -> (path, text)) (text path))
-  in
-  let refuse url why =
-    unread ~path:t.path (match words with first :: _ -> first | [] -> F.place node "url")
-      ~hint:"put what the other file has in the place of the Inline, or that file beside this one"
+  let one url = Beside.address text ~path:beside (Scene_library.file_of url) in
+  let refuse ?(hint = "put what the other file has in the place of the Inline, or that file beside this one") url
+      why =
+    unread ~path:t.path (match words with first :: _ -> first | [] -> F.place node "url") ~hint
       "the file %s of this Inline is not read: %s" (Text.quote url) why
   in
   let rec first why = function
@@ -172,9 +169,11 @@ let inline t (node : node) =
     | url :: rest -> (
         match one url with
         | Error text -> first (if Option.is_some why then why else Some (url, text)) rest
-        | Ok (path, _) when List.mem path (t.path :: t.around) -> refuse url "it is inside of itself"
+        | Ok (path, _) when List.mem path (t.path :: t.around) -> 
+          refuse url "it is inside of itself" ~hint:"remove one of the Inlines that lead from the file to itself"
         | Ok _ when List.length t.around >= most_within ->
-          refuse url (Printf.sprintf "files are inside of each other more than %d deep" most_within)
+          refuse url ~hint:"put what is in some of these files into one"
+            (Printf.sprintf "files are inside of each other more than %d deep" most_within)
         | Ok (path, text) -> Some (path, load t node.kind ~path text))
   in
   first None urls

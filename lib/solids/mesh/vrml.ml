@@ -47,6 +47,7 @@ type reader = {
   mutable routes : Scene.route list;
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
+  scope : Scene.scope;
   fields : Scene.fields option;  (* of the prototype whose body this is *)
 }
 
@@ -54,7 +55,10 @@ type reader = {
 and body = { words : word list; length : int; known : (string * body Scene.prototype) list }
 
 let reader ~library ~path ~first ~units ~prototypes ~fields left =
-  { library; path; first; left; names = Scene.names (); units; routes = []; changes = []; prototypes; fields }
+  {
+    library; path; first; left; names = Scene.names (); units; routes = []; changes = []; prototypes;
+    scope = Scene.scope (); fields;
+  }
 
 (* {1 Words} *)
 
@@ -105,6 +109,37 @@ let route r (at : word) (source : word) (target : word) =
   let node, field = parts target in
   r.routes <- { Scene.place = at; from; node; field } :: r.routes
 
+let access_of = function
+  | "eventIn" | "inputOnly" -> Some Scene.In
+  | "eventOut" | "outputOnly" -> Some Out
+  | "field" | "initializeOnly" -> Some Field
+  | "exposedField" | "inputOutput" -> Some Exposed
+  | _ -> None
+
+let no_field r (w : word) = Scene.bad ~path:r.path w "expected a field or an event, found %s" (quote w.text)
+let open_interface r at = Scene.bad ~path:r.path at "a `[` without its `]`"
+
+let begins_value (w : word) rest =
+  is_plain w
+  || List.mem w.text [ "["; "NULL"; "DEF"; "USE" ]
+  || match rest with { text = "{"; _ } :: _ -> true | _ -> false
+
+(* The declarations of a prototype in another file up to the `]`, the last one first. *)
+let rec outer_interface r at found =
+  match r.left with
+  | { text = "]"; _ } :: rest ->
+    r.left <- rest;
+    found
+  | w :: rest -> (
+      match (access_of w.text, rest) with
+      | Some access, kind :: field :: rest when is_name kind && is_name field ->
+        r.left <- rest;
+        outer_interface r at ({ Scene.field; type_ = kind.text; access } :: found)
+      | None, _ when found <> [] && begins_value w rest ->
+        Scene.bad ~path:r.path w "a field of an EXTERNPROTO has no value: the other file gives it one"
+      | _ -> no_field r w)
+  | [] -> open_interface r at
+
 (* [false] if there is none. *)
 let other_statement r =
   let after rest f =
@@ -115,11 +150,13 @@ let other_statement r =
   match r.left with
   | ({ text = "ROUTE"; _ } as at) :: source :: { text = "TO"; _ } :: target :: rest ->
     after rest (fun () -> route r at source target)
-  | { text = "EXTERNPROTO"; _ } :: name :: rest ->
+  | { text = "EXTERNPROTO"; _ } :: name :: ({ text = "["; _ } as at) :: rest ->
     after rest (fun () ->
-        ignore (brackets r);
+        Scene.declare ~path:r.path r.scope name;
+        let interface = List.rev (outer_interface r at []) in
+        Scene.check_interface ~path:r.path interface;
         let urls = match r.left with { text = "["; _ } :: _ -> brackets r | _ -> plain r [] in
-        let elsewhere = Scene_library.elsewhere ~path:r.path ~name:name.text name urls in
+        let elsewhere = Scene_library.elsewhere ~path:r.path ~name:name.text ~interface name urls in
         r.prototypes <- (name.text, Elsewhere elsewhere) :: r.prototypes)
   | { text = "PROFILE" | "COMPONENT"; _ } :: _ :: rest | { text = "META"; _ } :: rest ->
     after rest (fun () -> ignore (plain r []))
@@ -161,12 +198,12 @@ and any r depth at kind name =
   | None -> simple r depth at kind name
   | Some Inside -> Scene.inside ~path:r.path kind kind.text
   | Some (Elsewhere elsewhere) -> instance r depth at kind name (from_file r ~depth elsewhere)
-  | Some (Own own) -> instance r depth at kind name (own_prototype r kind.text own.fields own.body)
+  | Some (Own own) -> instance r depth at kind name (own_prototype r kind.text own.interface own.fields own.body)
 
 and from_file r ~depth elsewhere =
   Scene_library.find r.library ~depth ~length:(Scene_unit.length r.units) elsewhere
 
-and own_prototype r name fields body =
+and own_prototype r name interface fields body =
   let body ~path kind ~depth fields =
     Scene.spend ~path (Scene_library.room r.library) kind body.length;
     let prototypes = Scene.within name body.known in
@@ -178,11 +215,11 @@ and own_prototype r name fields body =
     | node :: _ -> (node, all_changes inner)
     | [] -> Scene.bad ~path kind "the prototype %s has no node in its body" (quote kind.text)
   in
-  { Scene_library.fields; body }
+  { Scene_library.interface; fields; body }
 
 and instance r depth at kind name (prototype : Scene_library.prototype) =
   Scene.opening r.names name;
-  let fields = Scene.given ~path:r.path kind prototype.fields (own_fields r depth at kind) in
+  let fields = Scene.given ~path:r.path kind prototype.interface prototype.fields (own_fields r depth at kind) in
   let node, changes = prototype.body ~path:r.path kind ~depth:(depth + 1) fields in
   let node = { node with name = (if Option.is_some name then name else node.name) } in
   r.changes <- List.rev_append changes r.changes;
@@ -197,15 +234,8 @@ and simple r depth at kind name =
 
 (* Scripts and shaders declare fields, as words of their own; other nodes have each field once. *)
 and check_once r (kind : word) fields =
-  let by_name ((a : word), _) ((b : word), _) = compare (a.text, a.start) (b.text, b.start) in
-  let rec go = function
-    | ((a : word), _) :: (((b : word), _) :: _ as rest) ->
-      if String.equal a.text b.text then Scene.bad ~path:r.path b "`%s` is there twice" b.text;
-      go rest
-    | [ _ ] | [] -> ()
-  in
   match Scene_table.find kind.text with
-  | Read _ | Left_out -> go (List.sort by_name fields)
+  | Read _ | Left_out -> Scene.check_twice ~path:r.path (List.rev_map fst fields)
   | Still | Unread _ -> ()
 
 (* All fields up to the `}`. One that is connected to an event has no value. *)
@@ -251,28 +281,31 @@ and statement r depth =
   | { text = "PROTO"; _ } :: name :: ({ text = "["; _ } as at) :: rest ->
     r.left <- rest;
     check_depth r depth at;
-    let fields = interface r (depth + 1) at [] in
+    Scene.declare ~path:r.path r.scope name;
+    let declared = List.rev (interface r (depth + 1) at []) in
+    let interface = List.map fst declared in
+    Scene.check_interface ~path:r.path interface;
+    let fields = List.map (fun ((d : Scene.declared), default) -> (d.field.text, default)) declared in
     let words = brackets r in
     let body = { words; length = List.length words; known = r.prototypes } in
-    r.prototypes <- (name.text, Own { fields; body }) :: r.prototypes;
+    r.prototypes <- (name.text, Own { interface; fields; body }) :: r.prototypes;
     true
   | _ -> other_statement r
 
-(* The declarations of a prototype up to the `]`. *)
+(* The declarations of a prototype up to the `]`, the last one first. *)
 and interface r depth at found =
   match r.left with
   | { text = "]"; _ } :: rest ->
     r.left <- rest;
     found
-  | { text = "eventIn" | "eventOut" | "inputOnly" | "outputOnly"; _ } :: _ :: name :: rest ->
-    r.left <- rest;
-    interface r depth at ((name.text, None) :: found)
-  | { text = "field" | "exposedField" | "initializeOnly" | "inputOutput"; _ } :: _ :: name :: rest ->
-    r.left <- rest;
-    let default = value r depth in
-    interface r depth at ((name.text, Some default) :: found)
-  | w :: _ -> Scene.bad ~path:r.path w "expected a field or an event, found %s" (quote w.text)
-  | [] -> Scene.bad ~path:r.path at "a `[` without its `]`"
+  | w :: rest -> (
+      match (access_of w.text, rest) with
+      | Some access, kind :: field :: rest ->
+        r.left <- rest;
+        let default = match access with In | Out -> None | Field | Exposed | Unsaid -> Some (value r depth) in
+        interface r depth at (({ Scene.field; type_ = kind.text; access }, default) :: found)
+      | _ -> no_field r w)
+  | [] -> open_interface r at
 
 and value r depth =
   match r.left with

@@ -19,6 +19,7 @@ type reader = {
   mutable routes : Scene.route list;
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
+  scope : Scene.scope;
   fields : Scene.fields option;  (* of the prototype whose body this is *)
   mutable opened : element list;  (* the innermost first; the last one is the file *)
   mutable depth : int;
@@ -28,14 +29,10 @@ type reader = {
 (* The tags of a body, and the prototypes that it can use: those declared before it. *)
 and body = { tags : tag list; length : int; known : (string * body Scene.prototype) list }
 
-let attribute tag key = List.find_opt (fun a -> String.equal a.key.text key) tag.attributes
-
-let value r tag key = Option.map (X3d_text.value r.text) (attribute tag key)
-
-let needed r tag key =
-  match value r tag key with
-  | Some value -> value
-  | None -> Scene.bad ~path:r.path tag.name "`%s` of %s is missing" key tag.name.text
+let attribute = X3d_text.attribute
+let value r = X3d_text.value_of r.text
+let needed r = X3d_text.needed r.text
+let needed_word r = X3d_text.needed_word r.text
 
 (* {1 Elements that are no nodes} *)
 
@@ -193,10 +190,10 @@ let elements r (around : tag) names tags =
   in
   go [] tags
 
-(* What follows an element in which nothing stands but elements of these names, which say nothing about shapes. *)
-let after r ?(names = []) tag rest =
+(* What follows an element in which nothing stands. *)
+let after r tag rest =
   let inside, rest = split r tag rest in
-  ignore (elements r tag names inside);
+  ignore (elements r tag [] inside);
   rest
 
 (* {1 Prototypes} *)
@@ -237,11 +234,15 @@ let rec contents r ~of_element tags =
         | "ProtoDeclare" -> check_in_scene r tag; go (declare r tag rest)
         | "ExternProtoDeclare" ->
           check_in_scene r tag;
-          let name = needed r tag "name" in
+          let name = needed_word r tag "name" in
+          Scene.declare ~path:r.path r.scope name;
+          let inside, rest = split r tag rest in
+          let interface = List.map (X3d_text.outer_field r.text) (elements r tag [ "field" ] inside) in
+          Scene.check_interface ~path:r.path interface;
           let urls = match attribute tag "url" with Some a -> X3d_text.words r.text a | None -> [] in
-          let elsewhere = Scene_library.elsewhere ~path:r.path ~name tag.name urls in
-          r.prototypes <- (name, Elsewhere elsewhere) :: r.prototypes;
-          go (after r ~names:[ "field" ] tag rest)
+          let elsewhere = Scene_library.elsewhere ~path:r.path ~name:name.text ~interface tag.name urls in
+          r.prototypes <- (name.text, Elsewhere elsewhere) :: r.prototypes;
+          go rest
         | "ProtoInstance" -> check_in_scene r tag; go (instance r tag rest)
         | _ when is_text tag -> characters r tag; go rest
         | "IS" ->
@@ -282,16 +283,31 @@ and declare r tag rest =
     | _ :: ((other : tag), _) :: _ -> Scene.bad ~path:r.path other.name "the prototype has this twice"
   in
   let interface, fields = parts "ProtoInterface" in
+  let name = needed_word r tag "name" in
+  Scene.declare ~path:r.path r.scope name;
   let field ((tag : tag), inside) =
-    let event = List.mem (value r tag "accessType") [ Some "inputOnly"; Some "outputOnly" ] in
-    let default = Option.value (value_of r tag inside) ~default:(Scene.Words []) in
-    (needed r tag "name", if event then None else Some default)
+    let own, event = X3d_text.inner_field r.text (tag, inside) in
+    (own, if event then None else Some (Option.value (value_of r tag inside) ~default:(Scene.Words [])))
   in
-  let fields = List.map field (elements r interface [ "field" ] fields) in
+  let all = List.map field (elements r interface [ "field" ] fields) in
+  let interface = List.map fst all in
+  Scene.check_interface ~path:r.path interface;
+  let fields = List.map (fun ((d : Scene.declared), default) -> (d.field.text, default)) all in
   let tags = snd (parts "ProtoBody") in
   let body = { tags; length = List.length tags; known = r.prototypes } in
-  r.prototypes <- (needed r tag "name", Own { fields; body }) :: r.prototypes;
+  r.prototypes <- (name.text, Own { interface; fields; body }) :: r.prototypes;
   rest
+
+and no_prototype r (tag : tag) name =
+  let known = Scene_library.listed (List.rev_map fst r.prototypes) in
+  let hint =
+    if known = "" then "declare it, or " ^ Scene_table.cure tag.name.text
+    else "write one of the names that are there: " ^ known
+  in
+  match name with
+  | Some name ->
+    Scene.unread ~path:r.path tag.name ~hint "no prototype of the name %s is declared before it" (quote name)
+  | None -> Scene.unread ~path:r.path tag.name ~hint "the name of the prototype is missing"
 
 and instance r tag rest =
   let inside, rest = split r tag rest in
@@ -300,19 +316,18 @@ and instance r tag rest =
    | Some _, _ ->
      finish r { tag; container = false; name = None; inside = []; connected = [] }
    | None, (None | Some None) ->
-     Scene.unread ~path:r.path tag.name ~hint:(Scene_table.cure tag.name.text)
-       "no prototype of that name is declared before it"
+     no_prototype r tag given_name
    | None, Some (Some Inside) -> Scene.inside ~path:r.path tag.name (Option.value given_name ~default:"")
    | None, Some (Some (Elsewhere elsewhere)) -> expand r tag inside (from_file r ~depth:r.depth elsewhere)
-   | None, Some (Some (Own { fields; body })) ->
+   | None, Some (Some (Own { interface; fields; body })) ->
      let name = Option.value given_name ~default:"" in
-     expand r tag inside (own_prototype r name fields body));
+     expand r tag inside (own_prototype r name interface fields body));
   rest
 
 and from_file r ~depth elsewhere =
   Scene_library.find r.library ~depth ~length:(Scene_unit.length r.units) elsewhere
 
-and own_prototype r prototype fields body =
+and own_prototype r prototype interface fields body =
   let body ~path (kind : word) ~depth fields =
     Scene.spend ~path (Scene_library.room r.library) kind body.length;
     if depth >= Scene.max_depth then
@@ -321,6 +336,7 @@ and own_prototype r prototype fields body =
       {
         r with
         names = Scene.names (); routes = []; changes = []; prototypes = Scene.within prototype body.known;
+        scope = Scene.scope ();
         fields = Some fields;
         opened = []; depth;
       }
@@ -329,21 +345,19 @@ and own_prototype r prototype fields body =
     | node :: _ -> (node, all_changes inner)
     | [] -> Scene.bad ~path kind "the prototype has no node in its body"
   in
-  { Scene_library.fields; body }
+  { Scene_library.interface; fields; body }
 
 and expand r tag inside (prototype : Scene_library.prototype) =
   let name = value r tag "DEF" in
   let field ((tag : tag), inside) =
-    let start = match attribute tag "name" with Some a -> fst a.value | None -> tag.name.start in
-    let word = { text = needed r tag "name"; start } in
-    (word, Option.value (value_of r tag inside) ~default:(Scene.Words []))
+    (needed_word r tag "name", Option.value (value_of r tag inside) ~default:(Scene.Words []))
   in
   Scene.opening r.names name;
   let own, values = List.partition (fun (t, _) -> is "IS" t) (elements r tag [ "IS"; "fieldValue" ] inside) in
   let connected = List.concat_map (fun (is, inside) -> connections r is inside) own in
   let values = List.map field values @ connected in
   let kind = { tag.name with text = Option.value (value r tag "name") ~default:"" } in
-  let fields = Scene.given ~path:r.path kind prototype.fields values in
+  let fields = Scene.given ~path:r.path kind prototype.interface prototype.fields values in
   let node, changes = prototype.body ~path:r.path tag.name ~depth:r.depth fields in
   let node = { node with name = (if Option.is_some name then name else node.name) } in
   r.changes <- List.rev_append changes r.changes;
@@ -358,7 +372,7 @@ let file library ~path ~first text =
   let r =
     {
       library; path; text; names = Scene.names (); units = Scene_unit.none ();
-      routes = []; changes = []; prototypes = []; fields = None;
+      routes = []; changes = []; prototypes = []; scope = Scene.scope (); fields = None;
       opened = []; depth = 0; containers = [];
     }
   in

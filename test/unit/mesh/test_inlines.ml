@@ -8,10 +8,14 @@ let inline url = Printf.sprintf "Inline { url \"%s\" }" url
 
 (* Prototypes of a box with its size, and some in other files. *)
 let brick = "PROTO Brick [ field SFVec3f s 2 2 2 eventIn SFTime go ] { Shape { geometry Box { size IS s } } }\n"
-let extern name url = Printf.sprintf "EXTERNPROTO %s [ field SFVec3f s ] [ \"%s\" ]\n" name url
+let extern ?(fields = "") name url = Printf.sprintf "EXTERNPROTO %s [ %s ] [ \"%s\" ]\n" name fields url
 
-let extern_xml name url =
-  Printf.sprintf "<ExternProtoDeclare name='%s' url='\"%s\"'><field name='s'/></ExternProtoDeclare>" name url
+let extern_xml ?(fields = "") name url =
+  Printf.sprintf "<ExternProtoDeclare name='%s' url='\"%s\"'>%s</ExternProtoDeclare>" name url fields
+
+let size = "field SFVec3f s"
+let address = "field MFString u"
+let size_xml = "<field name='s'/>"
 
 (* What is beside the scene that is read. *)
 let files =
@@ -35,7 +39,7 @@ let files =
        </ProtoBody></ProtoDeclare></Scene>" );
     ("sub/lib.wrl", head ^ "PROTO In [ field MFString u \"in.wrl\" ] { " ^ "Inline { url IS u } }");
     ("again.wrl", head ^ extern "X" "protos.wrl#Half");
-    ("again.x3d", "<Scene>" ^ extern_xml "Y" "protos.x3d#Brick" ^ "</Scene>");
+    ("again.x3d", "<Scene>" ^ extern_xml ~fields:size_xml "Y" "protos.x3d#Brick" ^ "</Scene>");
     ("ring.wrl", head ^ extern "A" "chain.wrl#B"); ("chain.wrl", head ^ extern "B" "ring.wrl#A");
     ("needs.wrl", head ^ extern "A" "need.wrl#B" ^ "PROTO C [ ] { A { } } A { }");
     ("need.wrl", head ^ extern "C" "needs.wrl#C" ^ "PROTO B [ ] { C { } } C { }");
@@ -69,25 +73,27 @@ let told path text =
   | Error d -> Printf.sprintf "%s in %s" d.code d.span.file
 
 (* [A] is the prototype that the other file has. *)
-let of_other url rest = extern "A" url ^ rest
+let of_other ?fields url rest = extern ?fields "A" url ^ rest
 
 let prototypes =
   [
     ("a default", of_other "protos.wrl" "A { }", "6 faces from -1");
-    ("a value", of_other "protos.wrl#Brick" "A { s 4 6 6 }", "6 faces from -2");
+    ("a value", of_other ~fields:size "protos.wrl#Brick" "A { s 4 6 6 }", "6 faces from -2");
     ("the second", of_other "protos.wrl#Half" "A { }", "6 faces from -1/2");
     ( "the second address", of_other "http://a.example/b.wrl#Brick\" \"protos.wrl#Brick" "A { }",
       "6 faces from -1" );
-    ("twice", of_other "protos.wrl#Brick" "A { } A { s 4 4 4 }", "12 faces from -2");
-    ("in the other notation", of_other "protos.x3d#Brick" "A { s 4 4 4 }", "6 faces from -2");
-    ("in the body of another", of_other "protos.wrl" "PROTO B [ ] { A { s 6 6 6 } } B { }", "6 faces from -3");
+    ("twice", of_other ~fields:size "protos.wrl#Brick" "A { } A { s 4 4 4 }", "12 faces from -2");
+    ("in the other notation", of_other ~fields:size "protos.x3d#Brick" "A { s 4 4 4 }", "6 faces from -2");
+    ( "in the body of another", of_other ~fields:size "protos.wrl" "PROTO B [ ] { A { s 6 6 6 } } B { }",
+      "6 faces from -3" );
     ("not used", of_other "none.wrl" shape, "6 faces from -1");
     ("in a third file", of_other "again.wrl#X" "A { }", "6 faces from -1/2");
-    ("in a third file, the first", of_other "again.wrl" "A { }", "6 faces from -1/2");
-    ("in a third file, of X3D", of_other "again.x3d" "A { s 4 4 4 }", "6 faces from -2");
+    ("in a third file, the first", of_other "again.wrl" "A { }", "SC0321 in t.wrl");
+    ("in a third file, of X3D", of_other ~fields:size "again.x3d#Y" "A { s 4 4 4 }", "6 faces from -2");
     ("its own Inline", of_other "sub/lib.wrl" "A { }", "6 faces from -1");
-    ("an Inline that is given", of_other "sub/lib.wrl" "A { u \"box.wrl\" }", "6 faces from -1");
-    ("an Inline that is not there", of_other "sub/lib.wrl" "A { u \"in.wrl\" }", "SC0321 in t.wrl");
+    ("an Inline that is given", of_other ~fields:address "sub/lib.wrl" "A { u \"box.wrl\" }", "6 faces from -1");
+    ( "an Inline that is not there", of_other ~fields:address "sub/lib.wrl" "A { u \"in.wrl\" }",
+      "SC0321 in t.wrl" );
     ("files that use each other", of_other "needs.wrl#C" "A { }", "SC0321 in need.wrl");
     ("one that leads to itself", of_other "ring.wrl#A" "A { }", "SC0321 in chain.wrl");
     ("a body in itself", of_other "mutual.wrl#C" "A { }", "SC0321 in mutual2.wrl");
@@ -99,8 +105,8 @@ let prototypes =
     ("none in it", of_other "box.wrl" "A { }", "SC0321 in t.wrl");
     ("no scene", of_other "no.wrl" "A { }", "SC0321 in no.wrl");
     ("an unknown field", of_other "protos.wrl" "A { t 1 }", "SC0321 in t.wrl");
-    ("an event", of_other "protos.wrl" "A { go 1 }", "SC0321 in t.wrl");
-    ("a fault in a value", of_other "protos.wrl" "A { s 1 }", "SC0320 in protos.wrl");
+    ("an event", of_other ~fields:"eventIn SFTime go" "protos.wrl" "A { go 1 }", "SC0321 in t.wrl");
+    ("a fault in a value", of_other ~fields:size "protos.wrl" "A { s 1 }", "SC0320 in protos.wrl");
     ("a fault in its body", of_other "short.wrl" "A { }", "SC0320 in short.wrl");
     ("a fault in its body, X3D", of_other "short.x3d" "A { }", "SC0320 in short.x3d");
     ("a fault of its tags", of_other "late.x3d" "A { }", "SC0320 in late.x3d");
@@ -158,18 +164,19 @@ let check = check_in "t.wrl" head
 
 (* The same from X3D in XML. *)
 let xml_cases =
-  let use url rest = extern_xml "A" url ^ rest in
+  let use ?fields url rest = extern_xml ?fields "A" url ^ rest in
   let instance = "<ProtoInstance name='A'/>" in
   [
     ("a default", use "protos.x3d" instance, "6 faces from -1");
     ( "a value",
-      use "protos.x3d#Brick" "<ProtoInstance name='A'><fieldValue name='s' value='4 4 4'/></ProtoInstance>",
+      use ~fields:size_xml "protos.x3d#Brick"
+        "<ProtoInstance name='A'><fieldValue name='s' value='4 4 4'/></ProtoInstance>",
       "6 faces from -2" );
     ("in the other notation", use "protos.wrl#Half" instance, "6 faces from -1/2");
     ("a fault in its body", use "short.x3d" instance, "SC0320 in short.x3d");
     ("no file", use "none.x3d" instance, "SC0321 in t.x3d");
     ("no address", "<ExternProtoDeclare name='A'/>" ^ instance, "SC0321 in t.x3d");
-    ("a body in itself", use "mutual3.wrl#C" instance, "SC0320 in mutual3.wrl");
+    ("a body in itself", use "mutual3.wrl#C" instance, "SC0320 in mutual4.wrl");
   ]
 
 let check_xml (what, body, expected) = check_in "t.x3d" "" (what, "<Scene>" ^ body ^ "</Scene>", expected)
