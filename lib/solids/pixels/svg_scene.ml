@@ -26,7 +26,8 @@ type around = {
 
 let look scene n =
   scene.area <- scene.area + n;
-  if scene.area > max_area then raise (Bad "more is painted than is read of one drawing")
+  if scene.area > max_area then
+    raise (Beyond (Printf.sprintf "%d pixels to paint, each counted once for each area" max_area))
 
 let inside scene rule polygons f =
   let { Raster.width; height; _ } = scene.raster in
@@ -35,7 +36,8 @@ let inside scene rule polygons f =
 
 let count scene =
   scene.drawn <- scene.drawn + 1;
-  if scene.drawn > max_drawn then raise (Bad (Printf.sprintf "more than %d elements are drawn" max_drawn))
+  if scene.drawn > max_drawn then
+    raise (Beyond (Printf.sprintf "%d elements to draw, each counted where it is used" max_drawn))
 
 let enter scene around (node : Svg_tree.node) =
   scene.at <- node.at;

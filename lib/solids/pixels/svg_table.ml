@@ -8,7 +8,7 @@ let begins prefix text =
 
 (* {1 Elements} *)
 
-let groups = words "g a"
+let groups = words "g a switch"
 let shapes = words "path rect circle ellipse polygon polyline line"
 
 (* What they hold is painted where something refers to it, if that is read. *)
@@ -21,7 +21,6 @@ let silent =
 let cures =
   [
     ("image", "only outlines are read; for pixels give the picture itself, as PNG");
-    ("switch", "what it shows depends on the reader: leave what is meant, in a `g`");
   ]
 
 let animations = words "animate animateColor animateMotion animateTransform set discard"
@@ -104,7 +103,10 @@ let of_all =
      about content datatype property rel resource rev typeof focusable focusHighlight t p-id"
 let prefixes = [ "nav-"; "data-"; "aria-"; "on"; "xmlns"; "xml:"; "xlink:" ]
 
-let conditions = words "requiredFeatures requiredExtensions systemLanguage requiredFonts requiredFormats"
+let conditions =
+  words "requiredFeatures requiredExtensions systemLanguage requiredFonts requiredFormats"
+
+let is_condition name = List.mem name conditions
 
 let attribute element name =
   let has table = List.mem name (words (Option.value (List.assoc_opt element table) ~default:"")) in

@@ -16,7 +16,7 @@ exception Fault of (int * int) * exn
 let at node f =
   match f () with
   | result -> result
-  | exception ((Bad _ | Unread _) as fault) -> raise (Fault (node.at, fault))
+  | exception ((Bad _ | Unread _ | Beyond _) as fault) -> raise (Fault (node.at, fault))
 
 let space = "http://www.w3.org/2000/svg"
 let xlink = "http://www.w3.org/1999/xlink"
@@ -94,12 +94,12 @@ let content input root =
       go stack depth
     | `El_start ((_, name), attributes), parent :: _ ->
       incr count;
-      if !count > max_elements then raise (Bad (Printf.sprintf "more than %d elements" max_elements));
+      if !count > max_elements then raise (Beyond (Printf.sprintf "%d elements" max_elements));
       let node = element input ~parent name attributes in
       parent.children <- node :: parent.children;
       go (node :: stack) (depth + 1)
     | `Data text, node :: _ ->
-      if node.name = "style" then node.text <- text :: node.text;
+      if List.mem node.name [ "style"; "text"; "tspan" ] then node.text <- text :: node.text;
       go stack depth
     | `Dtd _, _ -> go stack depth
   in
@@ -141,7 +141,7 @@ let read text =
       content input root;
       if not (Xmlm.eoi input.xml) then raise (Bad "something after the end of the svg element");
       root
-    with (Bad _ | Unread _) as fault -> raise (Fault (input.at, fault))
+    with (Bad _ | Unread _ | Beyond _) as fault -> raise (Fault (input.at, fault))
   in
   let ids = Hashtbl.create 64 and sheets = ref [] in
   iter

@@ -6,13 +6,13 @@ type node = {
   at : int * int;  (** line and column after its name in its start tag, from 1 *)
   parent : node option;
   mutable children : node list;  (** elements of SVG, in their order *)
-  mutable text : string list;  (** of a [style] element, in pieces, the last one first *)
+  mutable text : string list;  (** of [style], [text] and [tspan], in pieces, the last one first *)
 }
 
 type t = { root : node; ids : (string, node) Hashtbl.t;  (** the first element with each id *) sheet : Css.t }
 
 exception Fault of (int * int) * exn
-(** A fault {!Svg_number.Bad} or {!Svg_number.Unread} at a place. *)
+(** A fault {!Svg_number.Bad}, {!Svg_number.Unread} or {!Svg_number.Beyond} at a place. *)
 
 val at : node -> (unit -> 'a) -> 'a
 (** [at node f] is [f ()]. A fault that [f] raises becomes a {!Fault} at the place of the element. *)
