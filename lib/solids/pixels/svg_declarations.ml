@@ -38,9 +38,9 @@ let of_declaration (d : Css.declaration) =
     let css = function ("transform" | "transform-origin") as name -> "css " ^ name | name -> name in
     Option.map (fun (name, value) -> (css name, value)) (kept "property" (d.property, lower d.value))
 
-let of_element element attributes ~sheet =
+let of_element ~valid element attributes ~sheet =
   let style =
-    match List.assoc_opt "style" attributes with None -> [] | Some text -> Css.declarations text
+    match List.assoc_opt "style" attributes with None -> [] | Some text -> Css.declarations ~valid text
   in
   let important, others = List.partition (fun (d : Css.declaration) -> d.important) (sheet @ style) in
   List.filter_map (of_attribute element) attributes @ List.filter_map of_declaration (others @ important)

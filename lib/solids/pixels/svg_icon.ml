@@ -264,7 +264,7 @@ let read ~resolution ~path text =
     Error (Diag.error ?hint code (Span.make ~file:path ~start ~stop) "%s" message)
   in
   let fault code ?hint at message = fault_at code ?hint (tag text at) message in
-  match draw ~resolution ~path (Svg_tree.read text) with
+  match draw ~resolution ~path (Svg_tree.read ~valid:Svg_style.is_valid text) with
   | raster -> Ok raster
   | exception Refused d -> Error d
   | exception Xmlm.Error (at, error) ->

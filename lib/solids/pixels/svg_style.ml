@@ -150,6 +150,7 @@ let display value =
   else unread "the display %S" value
 
 let clipped value =
+  if value = "overlay" then unread "the overflow %S" value;
   one_of "overflow" value
     [ ("visible", false); ("auto", false); ("hidden", true); ("scroll", true); ("clip", true) ]
 
@@ -212,6 +213,20 @@ let property ~around style (name, value) =
   | "inherit" | "revert" | "revert-layer" -> unread "the value %S of %s" value name
   | _ -> (
       try given style name value with Bad fault -> bad "%s, as the value of %s" fault name)
+
+(* Only of single words, and of colours by their digits, is it certain that CSS ignores them. What else is not read
+   may have a meaning; so have words of browsers, which begin with "-". *)
+let is_valid name value =
+  let value = String.lowercase_ascii value in
+  let begins c = value <> "" && value.[0] = c in
+  let word = String.for_all (fun c -> (c >= 'a' && c <= 'z') || c = '-' || c = '_') value && not (begins '-') in
+  (not (word || begins '#'))
+  ||
+  match property ~around:initial initial (name, value) with
+  | _ -> true
+  | exception Bad _ -> false
+  | exception Unread _ ->
+    not (word && List.mem name [ "fill"; "stroke"; "color"; "stop-color" ] && Css_colour.is_unknown value)
 
 (* Of each property the last value. *)
 let last properties =

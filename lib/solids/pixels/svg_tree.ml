@@ -9,7 +9,12 @@ type node = {
   mutable text : string list;
 }
 
-type t = { root : node; ids : (string, node) Hashtbl.t; sheet : Css.t }
+type t = {
+  root : node;
+  ids : (string, node) Hashtbl.t;
+  sheet : Css.t;
+  valid : string -> string -> bool;
+}
 
 exception Fault of (int * int) * exn
 
@@ -125,7 +130,7 @@ let iter f root =
   in
   go [ root ]
 
-let read text =
+let read ~valid text =
   let entities =
     match Svg_entities.of_text text with
     | Some found -> found
@@ -148,11 +153,12 @@ let read text =
     (fun node ->
        Option.iter (fun id -> if not (Hashtbl.mem ids id) then Hashtbl.replace ids id node) (attribute node "id");
        if node.name = "style" then begin
-         let rules = at node (fun () -> is_css node; Css.rules (String.concat "" (List.rev node.text))) in
+         let text = String.concat "" (List.rev node.text) in
+         let rules = at node (fun () -> is_css node; Css.rules ~valid text) in
          sheets := rules :: !sheets
        end)
     root;
-  { root; ids; sheet = at root (fun () -> Css.sheet (List.rev !sheets)) }
+  { root; ids; sheet = at root (fun () -> Css.sheet (List.rev !sheets)); valid }
 
 let subject node =
   let classes =
@@ -169,4 +175,4 @@ let subject node =
 let declared t node =
   let rec chain node = subject node :: (match node.parent with None -> [] | Some parent -> chain parent) in
   let sheet = if Css.is_empty t.sheet then [] else Css.declared t.sheet (chain node) in
-  Svg_declarations.of_element node.name node.attributes ~sheet
+  Svg_declarations.of_element ~valid:t.valid node.name node.attributes ~sheet

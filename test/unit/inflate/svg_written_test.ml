@@ -23,8 +23,9 @@ let switches () =
   let feature name = Printf.sprintf "requiredFeatures='http://www.w3.org/TR/SVG11/feature#%s'" name in
   List.iter check
     [
-      ("right", switch ("<foreignObject " ^ adobe ^ " x='0' width='1' height='1'/><g>" ^ right "" ^ "</g>"));
-      ("left", switch (left "" ^ right "")); ("right", switch (left adobe ^ right "")); ("none", switch (left adobe));
+      ("right", switch ("<foreignObject " ^ adobe ^ " x='0' width='1'/><g>" ^ right "" ^ "</g>"));
+      ("left", switch (left "" ^ right "")); ("right", switch (left adobe ^ right ""));
+      ("none", switch (left adobe));
       ("left", switch (left (feature "Shape") ^ right "")); ("none", switch "");
       ("right", switch (left (adobe ^ " systemLanguage='en'") ^ right ""));
       ("right", switch ("<title>t</title><desc/>" ^ right ""));
@@ -59,6 +60,47 @@ let numbers () =
       ("SC0340", left "style='opacity:1.'"); ("SC0340", "<style>rect{stroke-width:1.px}</style>" ^ left "");
     ]
 
+(* Of each block the last value that is valid; what is not read is never passed over. *)
+let blocks () =
+  let paint expected block =
+    check (expected, left (Printf.sprintf "style='%s'" block));
+    check (expected, Printf.sprintf "<style>rect{%s}</style>%s" block (left ""))
+  in
+  let drawn = paint "left" and none = paint "none" and unread = paint "SC0341" and bad = paint "SC0340" in
+  none "fill:none;fill:bogus"; none "fill:none;fill:"; none "fill:none;FILL:#12345;fill:Bogus"; none
+    "fill:bogus;fill:none";
+  drawn "fill:black;fill:color(display-p3 0 0 0)"; none "visibility:hidden;visibility:bogus"; none
+    "opacity:0;opacity:bogus";
+  none "fill:none;stroke:red;stroke-width:0;stroke-width:bogus"; none "fill:none!important;fill:bogus";
+  unread "fill:bogus"; unread "fill:none;stroke:bogus"; unread "fill:bogus;stroke:none"; bad "fill:#12345";
+  List.iter unread
+    [
+      "fill:none;fill:ButtonText"; "fill:none;fill:lab(1 2 3)"; "fill:none;fill:context-fill";
+      "fill:none;fill:-mine"; "opacity:1;opacity:inherit";
+      "overflow:visible;overflow:overlay"; "mask:none;mask:url(#m)";
+    ];
+  bad "fill:none;fill:rgb(1,2)"; bad "stroke-miterlimit:4;stroke-miterlimit:.5";
+  check ("SC0341", "<style>rect{fill:none}</style>" ^ left "style='fill:bogus'");
+  check ("SC0341", left "fill='bogus'")
+
+let colours () =
+  let colour expected value =
+    let rect = Printf.sprintf "<rect fill='%s' width='1' height='1'/>" value in
+    let r = ok ~resolution:1 value (svg ~box:"0 0 1 1" rect) in
+    let found = if inside r 0 0 then Scc_pixels.Raster.colour_text r.colours.(0) else "none" in
+    Alcotest.(check string) value expected found
+  in
+  colour "#000000" "color(display-p3 0 0 0)"; colour "#ffffff" "color(display-p3 1 1 1 / 1)"; colour "none"
+    "color(display-p3 1 1 1 / .4)";
+  colour "#ff8000" "color(srgb 1 50.2% none)"; colour "#bc0000" "color(srgb-linear .5 0 0)"; colour "#cd853f"
+    "#CD853F icc-color(acmecmyk, 0.11, 0.48, 0.83, 0.00)";
+  colour "#ff0000" "oklch(0.62796 0.25768 29.234)"; colour "#ff0000" "oklab(62.796% 0.22486 0.12585)";
+  colour "none" "oklch(60% 0.1 30deg / 40%)";
+  colour "#ff0000" "red  icc-color(x)";
+  let refused expected value = check (expected, left (Printf.sprintf "fill='%s'" value)) in
+  refused "SC0341" "color(rec2020 1 1 1)"; refused "SC0340" "color(srgb 1 1)"; refused "SC0340" "oklch(1, 1, 1)";
+  refused "SC0341" "lab(1 2 3)"; refused "SC0341" "icc-color(x, 1)"
+
 (* A hint that helps: what it says of a drawing that is too fine, or too long. *)
 let limits () =
   let refused ~resolution body =
@@ -80,5 +122,6 @@ let () =
   Alcotest.run "svg as it is written"
     [
       ( "kinds",
-        [ case "switches" switches; case "texts" texts; case "numbers" numbers; case "limits" limits ] );
+        [ case "switches" switches; case "texts" texts; case "numbers" numbers; case "blocks" blocks;
+          case "colours" colours; case "limits" limits ] );
     ]
