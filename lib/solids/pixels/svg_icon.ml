@@ -220,7 +220,7 @@ let draw ~resolution ~path tree =
   in
   let layer = Svg_layer.whole (Bytes.length raster.alphas) in
   let corners = ref Svg_polygon.max_corners in
-  let scene = { tree; raster; corners; layer; fading = None; drawn = 0; area = 0; at = root.at } in
+  let scene = { tree; raster; corners; layer; fading = None; blended = None; drawn = 0; area = 0; at = root.at } in
   let around = { style = Svg_style.initial; map = Plane_map.identity; clip = None; view; depth = 0; used = [] } in
   match
     let here = enter scene around root in
@@ -230,7 +230,7 @@ let draw ~resolution ~path tree =
     layered scene here (fun () -> children scene here root);
     finish scene
   with
-  | () -> raster
+  | () -> (raster, scene.blended)
   | exception ((Bad _ | Unread _ | Beyond _) as fault) -> raise (Svg_tree.Fault (scene.at, fault))
 
 (* {1 Faults} *)
@@ -264,8 +264,20 @@ let read ~resolution ~path text =
     Error (Diag.error ?hint code (Span.make ~file:path ~start ~stop) "%s" message)
   in
   let fault code ?hint at message = fault_at code ?hint (tag text at) message in
-  match draw ~resolution ~path (Svg_tree.read ~valid:Svg_style.is_valid text) with
-  | raster -> Ok raster
+  let warning what at =
+    let start, stop = tag text at in
+    Diag.warning Code.mesh_left_out (Span.make ~file:path ~start ~stop) "%s" what
+  in
+  let work () =
+    let tree = Svg_tree.read ~valid:Svg_style.is_valid text in
+    (tree, draw ~resolution ~path tree)
+  in
+  match work () with
+  | tree, (raster, blended) ->
+    let told what at = Option.to_list (Option.map (warning what) at) in
+    let programs = told "programs in the drawing are not run: what they would change is left out" tree.program in
+    let mixed = "colours are not mixed with those below: they may differ from what browsers show" in
+    Ok (raster, programs @ told mixed blended)
   | exception Refused d -> Error d
   | exception Xmlm.Error (at, error) ->
     let at = offset text at in

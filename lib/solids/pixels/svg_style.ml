@@ -22,7 +22,7 @@ type t = {
   own : own;
 }
 
-and own = { clip : string option; clipped : bool; fixed_width : bool; opacity : Rat.t }
+and own = { clip : string option; clipped : bool; fixed_width : bool; opacity : Rat.t; blended : bool }
 
 type gradient = Between of Rat.t * Rat.t | Unseen | Ignored
 
@@ -47,7 +47,7 @@ let initial =
     markers = (false, false, false);
     shown = true;
     displayed = true;
-    own = { clip = None; clipped = true; fixed_width = false; opacity = Rat.one };
+    own = { clip = None; clipped = true; fixed_width = false; opacity = Rat.one; blended = false };
   }
 
 let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
@@ -168,6 +168,16 @@ let stop_colour value =
   | (Colour _ | Current) as paint -> paint
   | Nothing | Server _ -> bad "a stop-color that is no colour"
 
+let modes =
+  String.split_on_char ' '
+    "multiply screen overlay darken lighten color-dodge color-burn hard-light soft-light difference exclusion hue \
+     saturation color luminosity"
+
+(* The modes of the list leave the opacity as it is; others do not. *)
+let blended value =
+  if List.mem value [ "plus-lighter"; "plus-darker" ] then unread "the mix-blend-mode %S" value;
+  one_of "mix-blend-mode" value (("normal", false) :: List.map (fun mode -> (mode, true)) modes)
+
 let given style name value =
   match name with
   | "fill" -> { style with fill = Css_colour.paint value }
@@ -195,6 +205,7 @@ let given style name value =
   | "opacity" -> { style with own = { style.own with opacity = share value } }
   | "clip-path" -> { style with own = { style.own with clip = clip value } }
   | "overflow" -> { style with own = { style.own with clipped = clipped value } }
+  | "mix-blend-mode" -> { style with own = { style.own with blended = blended value } }
   | "vector-effect" -> { style with own = { style.own with fixed_width = fixed_width value } }
   | "stop-color" -> ignore (stop_colour value); style
   | "stop-opacity" -> ignore (share value); style
@@ -202,7 +213,7 @@ let given style name value =
   | _ -> style
 
 let own_properties =
-  [ "display"; "opacity"; "clip-path"; "overflow"; "vector-effect"; "mask"; "filter" ]
+  [ "display"; "opacity"; "clip-path"; "overflow"; "vector-effect"; "mask"; "filter"; "mix-blend-mode" ]
 
 let property ~around style (name, value) =
   match String.lowercase_ascii value with

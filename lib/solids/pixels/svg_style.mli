@@ -29,6 +29,7 @@ and own = {
   clipped : bool;  (** nothing is drawn beyond a viewport *)
   fixed_width : bool;  (** the width of strokes is not in units of the drawing *)
   opacity : Rat.t;  (** of the element as a group *)
+  blended : bool;  (** its colours are mixed with those below it, which changes no opacity *)
 }
 
 val initial : t

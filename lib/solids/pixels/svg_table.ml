@@ -45,7 +45,7 @@ let read =
     "fill fill-rule fill-opacity color opacity visibility display stroke stroke-width stroke-opacity \
      stroke-linecap stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset paint-order \
      vector-effect marker marker-start marker-mid marker-end clip-path clip-rule overflow mask filter transform \
-     transform-origin transform-box stop-color stop-opacity"
+     transform-origin transform-box stop-color stop-opacity mix-blend-mode"
 
 (* Of texts, gradients and filters, and of how well something is painted. *)
 let still =
@@ -64,7 +64,7 @@ let still_prefixes = [ "-"; "font"; "text-"; "stop-"; "flood-" ]
 (* These have one value that changes nothing. *)
 let harmless =
   [
-    ("mix-blend-mode", "normal"); ("clip", "auto"); ("translate", "none"); ("rotate", "none");
+    ("clip", "auto"); ("translate", "none"); ("rotate", "none");
     ("scale", "none"); ("offset-path", "none"); ("zoom", "1");
     ("animation", "none"); ("animation-name", "none"); ("content-visibility", "visible");
   ]

@@ -14,6 +14,7 @@ type t = {
   ids : (string, node) Hashtbl.t;
   sheet : Css.t;
   valid : string -> string -> bool;
+  program : (int * int) option;
 }
 
 exception Fault of (int * int) * exn
@@ -42,7 +43,15 @@ let plain attributes =
     attributes
 
 (* Before a signal that is a start tag is read, [at] becomes the place after its name. *)
-type input = { xml : Xmlm.input; mutable at : int * int }
+type input = {
+  xml : Xmlm.input;
+  mutable at : int * int;
+  mutable program : (int * int) option;  (* the place of the first one *)
+}
+
+let note_program input = if input.program = None then input.program <- Some input.at
+
+let is_handler ((ns, name), _) = ns = "" && String.length name > 2 && String.sub name 0 2 = "on"
 
 (* By XML, no attribute is there twice; Xmlm does not see to it. *)
 let check_once attributes =
@@ -81,6 +90,7 @@ let rec root_tag input =
   | _ -> raise (Unread "XML whose root is no svg element")
 
 let element input ?parent name attributes =
+  if List.exists is_handler attributes then note_program input;
   { name; attributes = plain attributes; at = input.at; parent; children = []; text = [] }
 
 (* The elements around the place, the nearest first, and how deep it is; children are in reverse until their
@@ -95,6 +105,7 @@ let content input root =
       node.children <- List.rev node.children;
       if outer <> [] then go outer (depth - 1)
     | `El_start ((ns, name), _), _ when (ns <> space && ns <> "") || Svg_table.within_shape name ->
+      if name = "script" then note_program input;
       pass_over input;
       go stack depth
     | `El_start ((_, name), attributes), parent :: _ ->
@@ -138,7 +149,8 @@ let read ~valid text =
       let what = "document types with declarations of their own, but for entities with plain values" in
       raise (Fault ((1, 1), Unread what))
   in
-  let input = { xml = Xmlm.make_input ~entity:(Svg_entities.meaning entities) (`String (0, text)); at = (1, 1) } in
+  let xml = Xmlm.make_input ~entity:(Svg_entities.meaning entities) (`String (0, text)) in
+  let input = { xml; at = (1, 1); program = None } in
   let root =
     try
       let attributes = root_tag input in
@@ -158,7 +170,7 @@ let read ~valid text =
          sheets := rules :: !sheets
        end)
     root;
-  { root; ids; sheet = at root (fun () -> Css.sheet (List.rev !sheets)); valid }
+  { root; ids; sheet = at root (fun () -> Css.sheet (List.rev !sheets)); valid; program = input.program }
 
 let subject node =
   let classes =

@@ -14,6 +14,7 @@ type t = {
   ids : (string, node) Hashtbl.t;  (** the first element with each id *)
   sheet : Css.t;
   valid : string -> string -> bool;  (** of properties and their values, as for {!Css.declarations} *)
+  program : (int * int) option;  (** the place of the first [script] or attribute [on...] *)
 }
 
 exception Fault of (int * int) * exn

@@ -101,6 +101,26 @@ let colours () =
   refused "SC0341" "color(rec2020 1 1 1)"; refused "SC0340" "color(srgb 1 1)"; refused "SC0340" "oklch(1, 1, 1)";
   refused "SC0341" "lab(1 2 3)"; refused "SC0341" "icc-color(x, 1)"
 
+(* What is left out, with a warning at its place. *)
+let warnings () =
+  let told expected body =
+    match Scc_pixels.Icon.read_warned ~resolution:16 ~path:"icon.svg" (svg body) with
+    | Error d -> Alcotest.(check string) body expected (d.Diag.code :> string)
+    | Ok (_, warnings) ->
+      let one (d : Diag.t) = (d.code :> string) ^ " " ^ List.hd (String.split_on_char ' ' d.message) in
+      Alcotest.(check string) body expected (String.concat ", " (List.map one warnings))
+  in
+  told "" (left ""); told "SC0324 programs" ("<script>a()</script>" ^ left ""); told "SC0324 programs"
+    ("<script href='a.js'/><script/>" ^ left "");
+  told "SC0324 programs" (left "onclick='a()'");
+  told "SC0324 programs" ("<g onload='a()'><script/></g>" ^ left "");
+  let blend mode = left (Printf.sprintf "style='mix-blend-mode:%s'" mode) in
+  told "" (blend "normal"); told "" (blend "initial"); told "SC0324 colours" (blend "multiply");
+  told "SC0324 colours" ("<style>rect{mix-blend-mode:screen}</style>" ^ left "");
+  told "SC0341" (blend "plus-lighter"); told "SC0340" (blend "bogus"); told "SC0341" (blend "inherit");
+  told "SC0324 programs, SC0324 colours" ("<script/>" ^ left "mix-blend-mode='hue'");
+  check ("left", blend "multiply"); check ("none", left "style='mix-blend-mode:hue' opacity='0'")
+
 (* A hint that helps: what it says of a drawing that is too fine, or too long. *)
 let limits () =
   let refused ~resolution body =
@@ -123,5 +143,5 @@ let () =
     [
       ( "kinds",
         [ case "switches" switches; case "texts" texts; case "numbers" numbers; case "blocks" blocks;
-          case "colours" colours; case "limits" limits ] );
+          case "colours" colours; case "warnings" warnings; case "limits" limits ] );
     ]
