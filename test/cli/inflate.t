@@ -122,6 +122,21 @@ A drawing in SVG, on whose pieces one may insist; what is wrong is told where it
      |   ^^^^^^^
   [3]
 
+Programs in a drawing are not run, and a size that is too large for a drawing is told with one that is not.
+
+  $ sed 's/<circle/<script>a()<\/script><circle/' two.svg > program.svg
+  $ scc inflate program.svg --resolution 20 --piece 1 2>&1 | head -1
+  program.svg:2:3: warning[SC0324]: programs in the drawing are not run: what they would change is left out
+  $ scc inflate two.svg --resolution 2000
+  two.svg:1:1: error[SC0342]: the picture has 2000 x 1000 pixels, which are too many
+     |
+   1 | <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 20 10">
+     | ^
+    hint: give `--resolution 512`, or less: at most 262144 pixels, and no side longer than 2048
+  [3]
+  $ scc inflate program.svg --resolution 20 --piece 1 --json 2> err | grep SC0324
+        "code": "SC0324",
+
 All pieces: as several surfaces, each in a file of its own, on a plate, or each as a template.
 
   $ scc inflate two.svg --resolution 20 --pieces apart --faces all -o all.off

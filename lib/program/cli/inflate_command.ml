@@ -40,7 +40,7 @@ let text o (t : Inflated.t) =
       (short gaps.surface) (short gaps.outline);
   Buffer.contents b
 
-type answer = options * Inflated.t * Exit_code.t
+type answer = options * Inflated.t * Console.t
 
 let format : (answer, unit) Scc_json.Json_format.t =
   let open Scc_json.Json_format in
@@ -60,7 +60,7 @@ let format : (answer, unit) Scc_json.Json_format.t =
   fields
     (Shared.head "scc-inflate" 1
      @ [
-       field "exit" (one_of [ 0 ]) (fun (_, _, code) -> Exit_code.to_int code);
+       field "exit" (one_of [ 0 ]) (fun _ -> Exit_code.(to_int Holds));
        option [ field "picture" text (fun o -> o.path) ~about:"Its file." ];
        solid
          [
@@ -89,7 +89,8 @@ let format : (answer, unit) Scc_json.Json_format.t =
                 from those before, of the simplified outline from that before.";
          ];
        option [ field "output" (nullable text) (fun o -> o.output) ~about:"The file that was written, if any." ];
-       field "diagnostics" Diag_json.formats (fun _ -> ((fun _ -> None), []));
+       field "diagnostics" Diag_json.formats (fun (_, _, console) ->
+           (Console.source console, Console.kept console));
      ])
 
 (* {1 Work} *)
@@ -120,7 +121,9 @@ let write_solids o write (found : Inflated.t) =
 let work console o () =
   let* source = Result.listed (Input.read o.path) in
   if Scc_pixels.Icon.is_text (Source.text source) then Console.add_source console source;
-  let* picture = Result.listed (Scc_pixels.Icon.read ?resolution:o.resolution ~path:o.path (Source.text source)) in
+  let read = Scc_pixels.Icon.read_warned ?resolution:o.resolution ~path:o.path in
+  let* picture, warnings = Result.listed (read (Source.text source)) in
+  Console.report console warnings;
   let progress what share =
     Console.progress console (Printf.sprintf "%s: %.0f %%" what (100. *. Float.min 1. share))
   in
@@ -132,7 +135,7 @@ let report console o write found =
     | None -> Ok ()
     | Some find -> write_solids o find found
   in
-  let json () = Scc_json.Json_format.write format (o, found, Exit_code.Holds) in
+  let json () = Scc_json.Json_format.write format (o, found, console) in
   Console.answer console ~text:(fun () -> text o found) ~json;
   Ok Exit_code.Holds
 

@@ -78,10 +78,22 @@ let declaration text =
                                                                                                     true }
     | _ -> { property; value; important = false }
 
-let declarations_of text =
-  List.filter_map (fun part -> if String.trim part = "" then None else Some (declaration part)) (split text ';')
+(* Of a block: what is not valid is ignored where another value of the property is before it. *)
+let valid_of ~valid block =
+  let known = Hashtbl.create 8 in
+  let counts d =
+    let good = valid d.property d.value in
+    let before = Hashtbl.mem known d.property in
+    if good then Hashtbl.replace known d.property ();
+    good || not before
+  in
+  List.filter counts block
 
-let declarations text = declarations_of (without_comments text)
+let declarations_of ~valid text =
+  let one part = if String.trim part = "" then None else Some (declaration part) in
+  valid_of ~valid (List.filter_map one (split text ';'))
+
+let declarations ~valid text = declarations_of ~valid (without_comments text)
 
 (* {1 Selectors} *)
 
@@ -171,7 +183,7 @@ let at_rule text at =
   | "@font-face" -> let _, _, next = rule_at text at in next
   | name -> unread "the rule %S of a style sheet" name
 
-let rules text =
+let rules ~valid text =
   let text = without_comments text in
   let n = String.length text in
   let rec go at found =
@@ -182,7 +194,7 @@ let rules text =
     else if text.[at] = '@' then go (at_rule text at) found
     else
       let selectors, inner, next = rule_at text at in
-      let declared = declarations_of inner in
+      let declared = declarations_of ~valid inner in
       go next (List.rev_append (List.map (fun s -> (selector s, declared)) (split selectors ',')) found)
   in
   List.rev (go 0 [])

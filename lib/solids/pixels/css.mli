@@ -6,16 +6,18 @@ type subject = { name : string; id : string option; classes : string list }
 
 type declaration = { property : string;  (** in lower case *) value : string; important : bool }
 
-val declarations : string -> declaration list
-(** The declarations of a text such as that of the attribute [style], in their order. *)
+val declarations : valid:(string -> string -> bool) -> string -> declaration list
+(** The declarations of a text such as that of the attribute [style], in their order. [valid property value] is
+    false for what CSS ignores; it is left out where a valid value of the same property is before it. *)
 
 type rule
 (** A selector with its declarations. *)
 
-val rules : string -> rule list
-(** The rules of the text of a [style] element, one for each selector. Selectors are [*], names, [.class], [#id]
-    and [:root], together, and one within another ([a b], [a > b]). A selector with [:hover], [:active],
-    [:focus] or [:visited] selects nothing. [@charset] and [@font-face] change nothing. *)
+val rules : valid:(string -> string -> bool) -> string -> rule list
+(** The rules of the text of a [style] element, one for each selector, with the {!declarations} of their
+    blocks. Selectors are [*], names, [.class], [#id] and [:root], together, and one within another ([a b], [a
+    > b]). A selector with [:hover], [:active], [:focus] or [:visited] selects nothing. [@charset] and
+    [@font-face] change nothing. *)
 
 type t
 (** A style sheet. *)

@@ -45,9 +45,11 @@ let hexadecimal text =
    slash is before the opacity. *)
 let arguments text inner =
   let part p = with_unit p in
+  let part_or_none p = if p = "none" then (Rat.zero, "") else part p in
   match (String.split_on_char ',' inner, String.split_on_char '/' inner) with
-  | [ _ ], [ colour; opacity ] -> (List.map part (words colour), Some (part opacity), false)
-  | [ _ ], [ colour ] -> (List.map part (words colour), None, false)
+  | [ _ ], [ colour; opacity ] ->
+    (List.map part_or_none (words colour), Some (part_or_none (String.trim opacity)), false)
+  | [ _ ], [ colour ] -> (List.map part_or_none (words colour), None, false)
   | [ a; b; c ], [ _ ] -> (List.map part [ a; b; c ], None, true)
   | [ a; b; c; opacity ], [ _ ] -> (List.map part [ a; b; c ], Some (part opacity), true)
   | _ -> bad text
@@ -80,8 +82,84 @@ let of_hsl h s l =
   in
   together [ level 0; level 8; level 4 ]
 
+(* {2 By the formulas of CSS Color 4, for a colour that is rounded to bytes}
+
+   What no screen of sRGB shows takes the nearest level of each part. *)
+
+let encoded x = if x <= 0.0031308 then 12.92 *. x else (1.055 *. Float.pow x (1. /. 2.4)) -. 0.055
+let decoded x = if x <= 0.04045 then x /. 12.92 else Float.pow ((x +. 0.055) /. 1.055) 2.4
+
+let of_linear parts =
+  let byte x = int_of_float (Float.round (255. *. Float.max 0. (Float.min 1. (encoded x)))) in
+  List.fold_left (fun rgb x -> (rgb lsl 8) lor byte x) 0 parts
+
+let times rows parts = List.map (fun row -> List.fold_left2 (fun sum a x -> sum +. (a *. x)) 0. row parts) rows
+
+let of_p3 parts =
+  of_linear
+    (times
+       [
+         [ 1.2249401763; -0.2249401763; 0. ]; [ -0.0420569547; 1.0420569547; 0. ];
+         [ -0.0196375546; -0.0786360456; 1.0982736001 ];
+       ]
+       (List.map decoded parts))
+
+let of_oklab parts =
+  let cones =
+    times
+      [
+        [ 1.; 0.3963377774; 0.2158037573 ]; [ 1.; -0.1055613458; -0.0638541728 ];
+        [ 1.; -0.0894841775; -1.2914855480 ];
+      ]
+      parts
+  in
+  of_linear
+    (times
+       [
+         [ 4.0767416621; -3.3077115913; 0.2309699292 ]; [ -1.2684380046; 2.6097574011; -0.3413193965 ];
+         [ -0.0041960863; -0.7034186147; 1.7076147010 ];
+       ]
+       (List.map (fun x -> x *. x *. x) cones))
+
+(* color(): the name of a space, and three parts. *)
+let in_space text inner =
+  let inner = String.trim inner in
+  let space, rest =
+    match String.index_opt inner ' ' with
+    | Some i -> (String.sub inner 0 i, String.sub inner i (String.length inner - i))
+    | None -> bad text
+  in
+  let all of_levels =
+    match arguments text rest with
+    | ([ _; _; _ ] as levels), opacity, false ->
+      { rgb = of_levels (List.map (level text Rat.one) levels); alpha = alpha text opacity }
+    | _ -> bad text
+  in
+  let floats f levels = f (List.map Rat.to_float levels) in
+  match space with
+  | "srgb" -> all (fun levels -> together (List.map (Rat.mul (Rat.of_int 255)) levels))
+  | "srgb-linear" -> all (floats of_linear)
+  | "display-p3" -> all (floats of_p3)
+  | _ -> unread text
+
+let of_ok text name inner =
+  let part whole p = Rat.to_float (level text whole p) in
+  match arguments text inner with
+  | [ l; a; b ], opacity, false ->
+    let l = Float.max 0. (Float.min 1. (part Rat.one l)) and a = part (ratio 2 5) a in
+    let parts =
+      if name = "oklab" then [ l; a; part (ratio 2 5) b ]
+      else
+        let turn = Rat.to_float (degrees text b) *. Float.pi /. 180. in
+        [ l; Float.max 0. a *. Float.cos turn; Float.max 0. a *. Float.sin turn ]
+    in
+    { rgb = of_oklab parts; alpha = alpha text opacity }
+  | _ -> bad text
+
 let applied text name inner =
   match name with
+  | "color" -> in_space text inner
+  | "oklab" | "oklch" -> of_ok text name inner
   | "rgb" | "rgba" -> (
       match arguments text inner with
       | ([ (_, r); (_, g); (_, b) ] as levels), opacity, commas when (not commas) || (r = g && g = b) ->
@@ -111,8 +189,15 @@ let plain text =
       | Some _ -> bad text
       | None -> unread text)
 
+(* In SVG 1.1 a colour may have another one behind it, for printers. *)
+let without_profile text =
+  match List.find_opt (fun i -> String.sub text i 11 = " icc-color(")
+          (List.init (max 0 (String.length text - 10)) Fun.id) with
+  | Some i when i > 0 && text.[String.length text - 1] = ')' -> String.trim (String.sub text 0 i)
+  | Some _ | None -> text
+
 let colour text =
-  let text = String.lowercase_ascii (String.trim text) in
+  let text = without_profile (String.lowercase_ascii (String.trim text)) in
   if text = "currentcolor" then None else Some (plain text)
 
 (* {1 Paints} *)
@@ -146,3 +231,18 @@ let paint text =
   | Some (id, "") -> Server (id, None)
   | Some (id, rest) -> Server (id, Some (simple rest))
   | None -> simple text
+
+(* {1 Words} *)
+
+(* Those of CSS that are no colours of their own: of the system, of what uses an element, of all properties. *)
+let others =
+  String.split_on_char ' '
+    "accentcolor accentcolortext activetext buttonborder buttonface buttontext canvas canvastext field fieldtext \
+     graytext highlight highlighttext linktext mark marktext selecteditem selecteditemtext visitedtext \
+     activeborder activecaption appworkspace background buttonhighlight buttonshadow captiontext inactiveborder \
+     inactivecaption inactivecaptiontext infobackground infotext menu menutext scrollbar \
+     threeddarkshadow threedface \
+     threedhighlight threedlightshadow threedshadow window windowframe windowtext context-fill context-stroke \
+     context-value child inherit initial unset revert revert-layer none currentcolor transparent"
+
+let is_unknown word = not (List.mem_assoc word Colour_names.all || List.mem word others)

@@ -169,7 +169,7 @@ let pixel h ~palette ~transparent at =
 let picture ~path text =
   let found = chunks text in
   let h = header text found in
-  let* () = Picture_fault.check_size ~path ~width:h.width ~height:h.height in
+  let* () = Picture_fault.check_size ~path ~width:h.width ~height:h.height () in
   let palette = part text found "PLTE" and transparent = part text found "tRNS" in
   let data = inflate text found (List.fold_left (fun n p -> n + size h p) 0 (passes h)) in
   let r = Raster.create ~width:h.width ~height:h.height in
@@ -199,7 +199,7 @@ let read ~path text =
   match
     let* () =
       if String.length text >= 24 && String.equal (String.sub text 12 4) "IHDR" then
-        Picture_fault.check_size ~path ~width:(word text 16) ~height:(word text 20)
+        Picture_fault.check_size ~path ~width:(word text 16) ~height:(word text 20) ()
       else Ok ()
     in
     picture ~path text

@@ -88,7 +88,7 @@ let picture ~path text =
   let height, i = number text i in
   let bitmap = kind = '1' || kind = '4' in
   let greatest, i = if bitmap then (1, i) else number text i in
-  let* () = Picture_fault.check_size ~path ~width ~height in
+  let* () = Picture_fault.check_size ~path ~width ~height () in
   if greatest < 1 || greatest > 65535 then raise (Bad "has a greatest sample that is not from 1 to 65535");
   let r = Raster.create ~width ~height in
   Bytes.fill r.alphas 0 (width * height) '\255';

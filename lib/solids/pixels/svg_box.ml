@@ -38,7 +38,7 @@ and children scene here (node : Svg_tree.node) =
     | Silent | Refused _ -> None
     | Group | Shape | Use | Viewport -> drawn scene (enter scene here inner) inner ~size:inner
   in
-  union (List.map child node.children)
+  union (List.map child (Svg_switch.children node))
 
 and viewport scene here node ~size =
   if not here.style.displayed then None

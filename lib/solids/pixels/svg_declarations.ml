@@ -21,17 +21,26 @@ let of_attribute element (name, value) =
       | Read -> kept "attribute" (name, lower (String.trim value))
       | Still | Unread _ -> None)
 
+(* CSS has no numbers that end with a point; attributes do. *)
+let check_point (d : Css.declaration) =
+  let digit i = i >= 0 && i < String.length d.value && d.value.[i] >= '0' && d.value.[i] <= '9' in
+  let ends i = d.value.[i] = '.' && digit (i - 1) && not (digit (i + 1)) in
+  let quoted = String.exists (fun c -> c = '"' || c = '\'' || c = '#') d.value in
+  if (not quoted) && List.exists ends (List.init (String.length d.value) Fun.id) then
+    raise (Bad (Printf.sprintf "a number that ends with a point: %S" d.value))
+
 let of_declaration (d : Css.declaration) =
   match Svg_table.property d.property with
   | Still -> None
   | Unread cure -> refuse "property" d.property cure
   | Read ->
+    check_point d;
     let css = function ("transform" | "transform-origin") as name -> "css " ^ name | name -> name in
     Option.map (fun (name, value) -> (css name, value)) (kept "property" (d.property, lower d.value))
 
-let of_element element attributes ~sheet =
+let of_element ~valid element attributes ~sheet =
   let style =
-    match List.assoc_opt "style" attributes with None -> [] | Some text -> Css.declarations text
+    match List.assoc_opt "style" attributes with None -> [] | Some text -> Css.declarations ~valid text
   in
   let important, others = List.partition (fun (d : Css.declaration) -> d.important) (sheet @ style) in
   List.filter_map (of_attribute element) attributes @ List.filter_map of_declaration (others @ important)

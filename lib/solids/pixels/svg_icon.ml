@@ -13,8 +13,6 @@ let is text =
 
 exception Refused of Diag.t
 
-let max_corners = 1_000_000
-
 (* {1 The picture} *)
 
 (* The sides of the whole drawing; none if one is not given, or as a share of what is around it. Browsers then take
@@ -60,7 +58,7 @@ let frame ~resolution ~path root =
   let scale = Rat.div (Rat.of_int resolution) (Rat.max box.width box.height) in
   let pixels q = max 1 (Z.to_int (Z.neg (Rat.floor (Rat.neg (Rat.mul scale q))))) in
   let width = pixels box.width and height = pixels box.height in
-  match Picture_fault.check_size ~path ~width ~height with
+  match Picture_fault.check_size ~cure:"give `--resolution 512`, or less" ~path ~width ~height () with
   | Error d -> raise (Refused d)
   | Ok () ->
     let to_pixels = Plane_map.(compose (scaling scale scale) (translation (Rat.neg box.x) (Rat.neg box.y))) in
@@ -150,6 +148,12 @@ let check_content scene (node : Svg_tree.node) =
   in
   List.iter refused node.children
 
+(* A text without any letter draws nothing; programs leave such ones behind. *)
+let rec is_empty_text (node : Svg_tree.node) =
+  List.mem node.name [ "text"; "tspan" ]
+  && List.for_all (String.for_all is_blank) node.text
+  && List.for_all is_empty_text node.children
+
 let rec element scene around (node : Svg_tree.node) =
   match Svg_table.element node.name with
   | Silent -> ()
@@ -169,12 +173,13 @@ let rec element scene around (node : Svg_tree.node) =
             match target.name with
             | "symbol" | "svg" -> shown_at scene inner target ~size:node
             | _ -> element scene inner target))
+  | Refused _ when node.name = "text" && is_empty_text node -> ()
   | Refused cure ->
     scene.at <- node.at;
     refuse node.name cure
 
 and children scene here (node : Svg_tree.node) = if here.style.displayed then List.iter (element scene here)
-      node.children
+      (Svg_switch.children node)
 
 (* A drawing within the drawing; [size] is the element whose width and height count most. *)
 and shown_at scene around node ~size =
@@ -214,8 +219,8 @@ let draw ~resolution ~path tree =
         frame ~resolution ~path root)
   in
   let layer = Svg_layer.whole (Bytes.length raster.alphas) in
-  let corners = ref max_corners in
-  let scene = { tree; raster; corners; layer; fading = None; drawn = 0; area = 0; at = root.at } in
+  let corners = ref Svg_polygon.max_corners in
+  let scene = { tree; raster; corners; layer; fading = None; blended = None; drawn = 0; area = 0; at = root.at } in
   let around = { style = Svg_style.initial; map = Plane_map.identity; clip = None; view; depth = 0; used = [] } in
   match
     let here = enter scene around root in
@@ -225,8 +230,8 @@ let draw ~resolution ~path tree =
     layered scene here (fun () -> children scene here root);
     finish scene
   with
-  | () -> raster
-  | exception ((Bad _ | Unread _) as fault) -> raise (Svg_tree.Fault (scene.at, fault))
+  | () -> (raster, scene.blended)
+  | exception ((Bad _ | Unread _ | Beyond _) as fault) -> raise (Svg_tree.Fault (scene.at, fault))
 
 (* {1 Faults} *)
 
@@ -259,8 +264,20 @@ let read ~resolution ~path text =
     Error (Diag.error ?hint code (Span.make ~file:path ~start ~stop) "%s" message)
   in
   let fault code ?hint at message = fault_at code ?hint (tag text at) message in
-  match draw ~resolution ~path (Svg_tree.read text) with
-  | raster -> Ok raster
+  let warning what at =
+    let start, stop = tag text at in
+    Diag.warning Code.mesh_left_out (Span.make ~file:path ~start ~stop) "%s" what
+  in
+  let work () =
+    let tree = Svg_tree.read ~valid:Svg_style.is_valid text in
+    (tree, draw ~resolution ~path tree)
+  in
+  match work () with
+  | tree, (raster, blended) ->
+    let told what at = Option.to_list (Option.map (warning what) at) in
+    let programs = told "programs in the drawing are not run: what they would change is left out" tree.program in
+    let mixed = "colours are not mixed with those below: they may differ from what browsers show" in
+    Ok (raster, programs @ told mixed blended)
   | exception Refused d -> Error d
   | exception Xmlm.Error (at, error) ->
     let at = offset text at in
@@ -269,4 +286,8 @@ let read ~resolution ~path text =
     fault Code.picture_format at ("this is not read: " ^ what)
       ~hint:"shapes with fills and strokes are read, in groups and where they are used, with transforms and clip \
              paths"
+  | exception Svg_tree.Fault (at, Beyond what) ->
+    fault Code.bad_picture at ("the drawing is beyond a limit: it has more than " ^ what)
+      ~hint:"a smaller `--resolution` helps where outlines are fine, and otherwise a drawing in parts, or with \
+             fewer points and dashes"
   | exception Svg_tree.Fault (at, Bad what) -> fault Code.bad_picture at ("a fault in the drawing: " ^ what)

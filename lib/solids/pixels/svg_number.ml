@@ -2,6 +2,7 @@ open Scc_exact
 
 exception Bad of string
 exception Unread of string
+exception Beyond of string
 
 type cursor = { text : string; mutable at : int; mutable first : bool  (** no comma may stand here *) }
 
@@ -128,7 +129,6 @@ let with_unit text =
   let c = cursor text in
   let q = number c in
   let start = c.at in
-  if start > 0 && text.[start - 1] = '.' then bad "a number that ends with a point: %S" text;
   let rec stop i =
     match if i < String.length text then Char.lowercase_ascii text.[i] else ' ' with
     | 'a' .. 'z' | '%' -> stop (i + 1)

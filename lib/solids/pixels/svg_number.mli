@@ -8,6 +8,9 @@ exception Bad of string
 exception Unread of string
 (** An attribute with a feature that is not supported; the text names it. *)
 
+exception Beyond of string
+(** A drawing beyond a limit; the text says of what it has more, with the number. *)
+
 type cursor = { text : string; mutable at : int; mutable first : bool  (** no comma may stand here *) }
 (** A place in a text. *)
 

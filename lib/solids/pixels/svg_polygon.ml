@@ -8,9 +8,12 @@ let unit = 1024
 let farthest = (1 lsl 14) * unit
 let bad what = raise (Svg_number.Bad what)
 
+let max_corners = 1_000_000
+
 let spend budget n =
   budget := !budget - n;
-  if !budget < 0 then bad "more corners than are read of one drawing"
+  if !budget < 0 then
+    raise (Svg_number.Beyond (Printf.sprintf "%d corners, those of curves and dashes included" max_corners))
 
 let corner (x, y) =
   let grid q =

@@ -7,7 +7,10 @@ val unit : int
 (** The number of units in a pixel: 1024. *)
 
 type budget = int ref
-(** The number of corners that may still be drawn. Drawing raises {!Svg_number.Bad} if there are more. *)
+(** The number of corners that may still be drawn. Drawing raises {!Svg_number.Beyond} if there are more. *)
+
+val max_corners : int
+(** The corners of one drawing: a million. *)
 
 val spend : budget -> int -> unit
 (** [spend budget n] takes [n] corners from the budget. *)

@@ -10,6 +10,7 @@ type scene = {
   corners : Svg_polygon.budget;
   mutable layer : Svg_layer.t;  (** what is painted on *)
   mutable fading : ((int * int) * string) option;  (** a gradient whose opacity is not the same everywhere *)
+  mutable blended : (int * int) option;  (** the first element whose colours are mixed *)
   mutable drawn : int;  (** how many elements *)
   mutable area : int;  (** how many pixels were looked at *)
   mutable at : int * int;  (** the place of the element that is being drawn *)
@@ -26,7 +27,8 @@ type around = {
 
 let look scene n =
   scene.area <- scene.area + n;
-  if scene.area > max_area then raise (Bad "more is painted than is read of one drawing")
+  if scene.area > max_area then
+    raise (Beyond (Printf.sprintf "%d pixels to paint, each counted once for each area" max_area))
 
 let inside scene rule polygons f =
   let { Raster.width; height; _ } = scene.raster in
@@ -35,7 +37,8 @@ let inside scene rule polygons f =
 
 let count scene =
   scene.drawn <- scene.drawn + 1;
-  if scene.drawn > max_drawn then raise (Bad (Printf.sprintf "more than %d elements are drawn" max_drawn))
+  if scene.drawn > max_drawn then
+    raise (Beyond (Printf.sprintf "%d elements to draw, each counted where it is used" max_drawn))
 
 let enter scene around (node : Svg_tree.node) =
   scene.at <- node.at;
@@ -43,6 +46,7 @@ let enter scene around (node : Svg_tree.node) =
   if around.depth >= Svg_tree.max_depth then raise (Bad "elements nested too deep");
   let properties = Svg_tree.declared scene.tree node in
   let style = Svg_style.of_properties around.style properties in
+  if style.own.blended && scene.blended = None then scene.blended <- Some node.at;
   let own = Svg_transform.of_properties ~size:(around.view.width, around.view.height) properties in
   { around with style; map = Plane_map.compose around.map own; depth = around.depth + 1 }
 

@@ -6,6 +6,7 @@ type scene = {
   corners : Svg_polygon.budget;
   mutable layer : Svg_layer.t;  (** what is painted on *)
   mutable fading : ((int * int) * string) option;  (** a gradient whose opacity is not the same everywhere *)
+  mutable blended : (int * int) option;  (** the first element whose colours are mixed *)
   mutable drawn : int;  (** how many elements *)
   mutable area : int;  (** how many pixels were looked at *)
   mutable at : int * int;  (** the place of the element that is being drawn *)

@@ -22,7 +22,7 @@ type t = {
   own : own;
 }
 
-and own = { clip : string option; clipped : bool; fixed_width : bool; opacity : Rat.t }
+and own = { clip : string option; clipped : bool; fixed_width : bool; opacity : Rat.t; blended : bool }
 
 type gradient = Between of Rat.t * Rat.t | Unseen | Ignored
 
@@ -47,7 +47,7 @@ let initial =
     markers = (false, false, false);
     shown = true;
     displayed = true;
-    own = { clip = None; clipped = true; fixed_width = false; opacity = Rat.one };
+    own = { clip = None; clipped = true; fixed_width = false; opacity = Rat.one; blended = false };
   }
 
 let bad format = Printf.ksprintf (fun m -> raise (Bad m)) format
@@ -150,6 +150,7 @@ let display value =
   else unread "the display %S" value
 
 let clipped value =
+  if value = "overlay" then unread "the overflow %S" value;
   one_of "overflow" value
     [ ("visible", false); ("auto", false); ("hidden", true); ("scroll", true); ("clip", true) ]
 
@@ -166,6 +167,16 @@ let stop_colour value =
   match Css_colour.paint value with
   | (Colour _ | Current) as paint -> paint
   | Nothing | Server _ -> bad "a stop-color that is no colour"
+
+let modes =
+  String.split_on_char ' '
+    "multiply screen overlay darken lighten color-dodge color-burn hard-light soft-light difference exclusion hue \
+     saturation color luminosity"
+
+(* The modes of the list leave the opacity as it is; others do not. *)
+let blended value =
+  if List.mem value [ "plus-lighter"; "plus-darker" ] then unread "the mix-blend-mode %S" value;
+  one_of "mix-blend-mode" value (("normal", false) :: List.map (fun mode -> (mode, true)) modes)
 
 let given style name value =
   match name with
@@ -194,6 +205,7 @@ let given style name value =
   | "opacity" -> { style with own = { style.own with opacity = share value } }
   | "clip-path" -> { style with own = { style.own with clip = clip value } }
   | "overflow" -> { style with own = { style.own with clipped = clipped value } }
+  | "mix-blend-mode" -> { style with own = { style.own with blended = blended value } }
   | "vector-effect" -> { style with own = { style.own with fixed_width = fixed_width value } }
   | "stop-color" -> ignore (stop_colour value); style
   | "stop-opacity" -> ignore (share value); style
@@ -201,7 +213,7 @@ let given style name value =
   | _ -> style
 
 let own_properties =
-  [ "display"; "opacity"; "clip-path"; "overflow"; "vector-effect"; "mask"; "filter" ]
+  [ "display"; "opacity"; "clip-path"; "overflow"; "vector-effect"; "mask"; "filter"; "mix-blend-mode" ]
 
 let property ~around style (name, value) =
   match String.lowercase_ascii value with
@@ -212,6 +224,20 @@ let property ~around style (name, value) =
   | "inherit" | "revert" | "revert-layer" -> unread "the value %S of %s" value name
   | _ -> (
       try given style name value with Bad fault -> bad "%s, as the value of %s" fault name)
+
+(* Only of single words, and of colours by their digits, is it certain that CSS ignores them. What else is not read
+   may have a meaning; so have words of browsers, which begin with "-". *)
+let is_valid name value =
+  let value = String.lowercase_ascii value in
+  let begins c = value <> "" && value.[0] = c in
+  let word = String.for_all (fun c -> (c >= 'a' && c <= 'z') || c = '-' || c = '_') value && not (begins '-') in
+  (not (word || begins '#'))
+  ||
+  match property ~around:initial initial (name, value) with
+  | _ -> true
+  | exception Bad _ -> false
+  | exception Unread _ ->
+    not (word && List.mem name [ "fill"; "stroke"; "color"; "stop-color" ] && Css_colour.is_unknown value)
 
 (* Of each property the last value. *)
 let last properties =

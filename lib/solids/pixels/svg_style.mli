@@ -29,6 +29,7 @@ and own = {
   clipped : bool;  (** nothing is drawn beyond a viewport *)
   fixed_width : bool;  (** the width of strokes is not in units of the drawing *)
   opacity : Rat.t;  (** of the element as a group *)
+  blended : bool;  (** its colours are mixed with those below it, which changes no opacity *)
 }
 
 val initial : t
@@ -39,6 +40,10 @@ val of_properties : t -> (string * string) list -> t
 (** [of_properties around properties] is the style of an element with these properties
     ({!Svg_declarations.of_element}) within an element of the style [around]. Raises {!Svg_number.Bad} and
     {!Svg_number.Unread}. *)
+
+val is_valid : string -> string -> bool
+(** [is_valid property value] is false for a value that CSS ignores for sure: a single word that is none of the
+    property's, or digits that are no colour. It is true for what is not read, but has a meaning. *)
 
 (** How opaque a gradient is: between two numbers, not at all, or as if it were not there. *)
 type gradient = Between of Rat.t * Rat.t | Unseen | Ignored

@@ -8,7 +8,7 @@ let begins prefix text =
 
 (* {1 Elements} *)
 
-let groups = words "g a"
+let groups = words "g a switch"
 let shapes = words "path rect circle ellipse polygon polyline line"
 
 (* What they hold is painted where something refers to it, if that is read. *)
@@ -21,7 +21,6 @@ let silent =
 let cures =
   [
     ("image", "only outlines are read; for pixels give the picture itself, as PNG");
-    ("switch", "what it shows depends on the reader: leave what is meant, in a `g`");
   ]
 
 let animations = words "animate animateColor animateMotion animateTransform set discard"
@@ -46,7 +45,7 @@ let read =
     "fill fill-rule fill-opacity color opacity visibility display stroke stroke-width stroke-opacity \
      stroke-linecap stroke-linejoin stroke-miterlimit stroke-dasharray stroke-dashoffset paint-order \
      vector-effect marker marker-start marker-mid marker-end clip-path clip-rule overflow mask filter transform \
-     transform-origin transform-box stop-color stop-opacity"
+     transform-origin transform-box stop-color stop-opacity mix-blend-mode"
 
 (* Of texts, gradients and filters, and of how well something is painted. *)
 let still =
@@ -65,7 +64,7 @@ let still_prefixes = [ "-"; "font"; "text-"; "stop-"; "flood-" ]
 (* These have one value that changes nothing. *)
 let harmless =
   [
-    ("mix-blend-mode", "normal"); ("clip", "auto"); ("translate", "none"); ("rotate", "none");
+    ("clip", "auto"); ("translate", "none"); ("rotate", "none");
     ("scale", "none"); ("offset-path", "none"); ("zoom", "1");
     ("animation", "none"); ("animation-name", "none"); ("content-visibility", "visible");
   ]
@@ -104,7 +103,10 @@ let of_all =
      about content datatype property rel resource rev typeof focusable focusHighlight t p-id"
 let prefixes = [ "nav-"; "data-"; "aria-"; "on"; "xmlns"; "xml:"; "xlink:" ]
 
-let conditions = words "requiredFeatures requiredExtensions systemLanguage requiredFonts requiredFormats"
+let conditions =
+  words "requiredFeatures requiredExtensions systemLanguage requiredFonts requiredFormats"
+
+let is_condition name = List.mem name conditions
 
 let attribute element name =
   let has table = List.mem name (words (Option.value (List.assoc_opt element table) ~default:"")) in

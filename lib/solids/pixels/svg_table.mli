@@ -21,6 +21,9 @@ val element : string -> element
 val within_shape : string -> bool
 (** [within_shape name] is true if such an element may stand in a shape, and changes nothing of it. *)
 
+val is_condition : string -> bool
+(** [is_condition name] is true of an attribute by which a [switch] chooses ({!Svg_switch}). *)
+
 val attribute : string -> string -> t
 (** [attribute element name] is how an attribute without a namespace is treated. *)
 

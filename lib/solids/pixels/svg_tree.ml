@@ -9,14 +9,20 @@ type node = {
   mutable text : string list;
 }
 
-type t = { root : node; ids : (string, node) Hashtbl.t; sheet : Css.t }
+type t = {
+  root : node;
+  ids : (string, node) Hashtbl.t;
+  sheet : Css.t;
+  valid : string -> string -> bool;
+  program : (int * int) option;
+}
 
 exception Fault of (int * int) * exn
 
 let at node f =
   match f () with
   | result -> result
-  | exception ((Bad _ | Unread _) as fault) -> raise (Fault (node.at, fault))
+  | exception ((Bad _ | Unread _ | Beyond _) as fault) -> raise (Fault (node.at, fault))
 
 let space = "http://www.w3.org/2000/svg"
 let xlink = "http://www.w3.org/1999/xlink"
@@ -37,7 +43,15 @@ let plain attributes =
     attributes
 
 (* Before a signal that is a start tag is read, [at] becomes the place after its name. *)
-type input = { xml : Xmlm.input; mutable at : int * int }
+type input = {
+  xml : Xmlm.input;
+  mutable at : int * int;
+  mutable program : (int * int) option;  (* the place of the first one *)
+}
+
+let note_program input = if input.program = None then input.program <- Some input.at
+
+let is_handler ((ns, name), _) = ns = "" && String.length name > 2 && String.sub name 0 2 = "on"
 
 (* By XML, no attribute is there twice; Xmlm does not see to it. *)
 let check_once attributes =
@@ -76,6 +90,7 @@ let rec root_tag input =
   | _ -> raise (Unread "XML whose root is no svg element")
 
 let element input ?parent name attributes =
+  if List.exists is_handler attributes then note_program input;
   { name; attributes = plain attributes; at = input.at; parent; children = []; text = [] }
 
 (* The elements around the place, the nearest first, and how deep it is; children are in reverse until their
@@ -90,16 +105,17 @@ let content input root =
       node.children <- List.rev node.children;
       if outer <> [] then go outer (depth - 1)
     | `El_start ((ns, name), _), _ when (ns <> space && ns <> "") || Svg_table.within_shape name ->
+      if name = "script" then note_program input;
       pass_over input;
       go stack depth
     | `El_start ((_, name), attributes), parent :: _ ->
       incr count;
-      if !count > max_elements then raise (Bad (Printf.sprintf "more than %d elements" max_elements));
+      if !count > max_elements then raise (Beyond (Printf.sprintf "%d elements" max_elements));
       let node = element input ~parent name attributes in
       parent.children <- node :: parent.children;
       go (node :: stack) (depth + 1)
     | `Data text, node :: _ ->
-      if node.name = "style" then node.text <- text :: node.text;
+      if List.mem node.name [ "style"; "text"; "tspan" ] then node.text <- text :: node.text;
       go stack depth
     | `Dtd _, _ -> go stack depth
   in
@@ -125,7 +141,7 @@ let iter f root =
   in
   go [ root ]
 
-let read text =
+let read ~valid text =
   let entities =
     match Svg_entities.of_text text with
     | Some found -> found
@@ -133,7 +149,8 @@ let read text =
       let what = "document types with declarations of their own, but for entities with plain values" in
       raise (Fault ((1, 1), Unread what))
   in
-  let input = { xml = Xmlm.make_input ~entity:(Svg_entities.meaning entities) (`String (0, text)); at = (1, 1) } in
+  let xml = Xmlm.make_input ~entity:(Svg_entities.meaning entities) (`String (0, text)) in
+  let input = { xml; at = (1, 1); program = None } in
   let root =
     try
       let attributes = root_tag input in
@@ -141,18 +158,19 @@ let read text =
       content input root;
       if not (Xmlm.eoi input.xml) then raise (Bad "something after the end of the svg element");
       root
-    with (Bad _ | Unread _) as fault -> raise (Fault (input.at, fault))
+    with (Bad _ | Unread _ | Beyond _) as fault -> raise (Fault (input.at, fault))
   in
   let ids = Hashtbl.create 64 and sheets = ref [] in
   iter
     (fun node ->
        Option.iter (fun id -> if not (Hashtbl.mem ids id) then Hashtbl.replace ids id node) (attribute node "id");
        if node.name = "style" then begin
-         let rules = at node (fun () -> is_css node; Css.rules (String.concat "" (List.rev node.text))) in
+         let text = String.concat "" (List.rev node.text) in
+         let rules = at node (fun () -> is_css node; Css.rules ~valid text) in
          sheets := rules :: !sheets
        end)
     root;
-  { root; ids; sheet = at root (fun () -> Css.sheet (List.rev !sheets)) }
+  { root; ids; sheet = at root (fun () -> Css.sheet (List.rev !sheets)); valid; program = input.program }
 
 let subject node =
   let classes =
@@ -169,4 +187,4 @@ let subject node =
 let declared t node =
   let rec chain node = subject node :: (match node.parent with None -> [] | Some parent -> chain parent) in
   let sheet = if Css.is_empty t.sheet then [] else Css.declared t.sheet (chain node) in
-  Svg_declarations.of_element node.name node.attributes ~sheet
+  Svg_declarations.of_element ~valid:t.valid node.name node.attributes ~sheet
