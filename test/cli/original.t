@@ -32,12 +32,12 @@ The original notation: regions of contact, solids with names.
   beside: holds (exhaustive), at split step 1/2
   $ scc translate patch.sc --to original -o again.osc
   $ scc translate again.osc --to sc | diff patch.sc -
-  115c115,116
+  113c113,114
   < behaviour Open = <dock, {p1.[v8, v10], p2.v4, p3.top, p4.[v2, v6], p5.v8, p6.[v4, v6], p7.v2}>. Held
   ---
   > behaviour Open =
   >   <dock, {[p1.v8, p1.v10], p2.v4, p3.top, [p4.v2, p4.v6], p5.v8, [p6.v4, p6.v6], p7.v2}>. Held
-  117c118
+  115c116
   <   omega(dock, {p1.[v8, v10], p2.v4, p3.top, p4.[v2, v6], p5.v8, p6.[v4, v6], p7.v2}). Open
   ---
   >   omega(dock, {[p1.v8, p1.v10], p2.v4, p3.top, [p4.v2, p4.v6], p5.v8, [p6.v4, p6.v6], p7.v2}). Open
