@@ -8,6 +8,7 @@ runs have which values, and how many have none, because they had ended or otherw
 of the table: at each time, the numbers that it plots and the places of bodies are those of the table. The last line
 is 'N passed, N failed', where each value and each bar counts.
 """
+import bisect
 import csv
 import glob
 import json
@@ -67,18 +68,22 @@ def value(curve, age):
     return up / down if down else None
 
 
-def plotted(data, run, time):
-    """The plotted numbers of a run at a time, after all events of the instant; None where the run is over before."""
-    state, since = run["start"], Fraction(0)
+def course(data, run):
+    """The states of a run, and the times from which on it is in them."""
+    states, times = [run["start"]], [Fraction(0)]
     for step in run["steps"]:
-        lasts = Fraction(data["labels"][step["label"]].get("duration", "0"))
-        if since + lasts > time:
-            break
-        state, since = step["to"], since + lasts
-    else:
-        if since + Fraction(run["rest"]) < time:
-            return None
-    return [value(curve, time - since) for curve in data["states"][state].get("values", [])]
+        states.append(step["to"])
+        times.append(times[-1] + Fraction(data["labels"][step["label"]].get("duration", "0")))
+    return states, times
+
+
+def plotted(data, run, way, time):
+    """The plotted numbers of a run on its course at a time, after all events of the instant; None where it is over before."""
+    states, times = way
+    last = bisect.bisect_right(times, time) - 1
+    if last == len(states) - 1 and times[last] + Fraction(run["rest"]) < time:
+        return None
+    return [value(curve, time - times[last]) for curve in data["states"][states[last]].get("values", [])]
 
 
 def bars(name, cell, values):
@@ -143,10 +148,11 @@ def one(scc, work, text, observables, options):
     numbers = [k for k, o in enumerate(observables) if not o.startswith(("gone", "bound"))]
     for shown, run in zip(spread["shown"], data["runs"]):
         check(name + ": name", run["name"], f"run {shown['run']}")
+        way = course(data, run)
         for i, at in enumerate(spread["times"]):
             own = [number(cell) for cell in runs[shown["run"]][i][2:-1]]
             check(f"{name}: run {shown['run']} at {at}", [number(v) for v in shown["values"][i]], own)
-            seen = plotted(data, run, Fraction(at))
+            seen = plotted(data, run, way, Fraction(at))
             if seen is None:
                 check(f"{name}: run {shown['run']} is over at {at}", own, [None] * len(own))
             else:
@@ -178,10 +184,11 @@ def interrupted(scc, work):
         check("interrupted: none is dropped", sum(cells[0].get("counts", [])), there)
         check("interrupted: all are counted", there + cells[0]["none"] + spread["over"][i] + spread["cut"][i], len(runs))
     for shown, run in zip(spread["shown"], data["runs"]):
+        way = course(data, run)
         for i, at in enumerate(spread["times"]):
             own = [Fraction(cell) if cell else None for cell in runs[shown["run"]][i][2:-1]]
             check("interrupted: values", [v and Fraction(v) for v in shown["values"][i]], own)
-            seen = plotted(data, run, Fraction(at))
+            seen = plotted(data, run, way, Fraction(at))
             check("interrupted: plotted", seen is None or own[0] is None or seen == own, True)
 
 

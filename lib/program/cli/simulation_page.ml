@@ -105,6 +105,7 @@ let conflict ~times ~observables ~others ~path =
          times)
   else
     let same (name, other) =
-      if other = Some path then Some (Printf.sprintf "--view and %s name the same file" name) else None
+      let is_same = Option.equal String.equal other (Some path) in
+      if is_same then Some (Printf.sprintf "--view and %s name the same file" name) else None
     in
     List.find_map same others

@@ -98,7 +98,7 @@ let mean_format =
 
 let cell_format =
   let bars f (_, _, bars) = Option.map f bars in
-  let value at (_, c, _) = if c.sorted = [||] then None else Some c.sorted.(at c) in
+  let value at (_, c, _) = if Array.length c.sorted = 0 then None else Some c.sorted.(at c) in
   fields
     [
       field "none" natural (fun (went_on, c, _) -> went_on - Array.length c.sorted)
