@@ -22,7 +22,7 @@ let neg a = make (Q.neg a.x) (Q.neg a.y) (Q.neg a.z)
 let scale k a = make (Q.mul k a.x) (Q.mul k a.y) (Q.mul k a.z)
 let middle a b = scale Rat.half (add a b)
 
-(* Many move along an axis, and the numbers of the other two are then those that were there. *)
+(* Most velocities are along an axis: the other two numbers of a place are then as they were. *)
 let axpy k a b =
   let along d x = if Q.sign d = 0 then x else Q.add (Q.mul k d) x in
   make (along a.x b.x) (along a.y b.y) (along a.z b.z)

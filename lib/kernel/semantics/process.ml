@@ -96,7 +96,6 @@ let compare_placed m (a, _) (b, _) =
   | [ l ], [ k ] -> State.compare_places m l k
   | _ -> List.compare (State.compare_places m) a b
 
-
 let by_place m processes = List.map snd (List.stable_sort (compare_placed m) (List.map (placed m) processes))
 
 let first compare m processes =

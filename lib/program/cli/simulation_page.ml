@@ -94,6 +94,12 @@ let write t console model ~path ~name ~report ~asked ~first ~summary ~interrupte
     if not whole then Console.note console told;
     Ok whole
 
+(* However the folder is written. *)
+let place path =
+  match Unix.realpath (Filename.dirname path) with
+  | folder -> Filename.concat folder (Filename.basename path)
+  | exception Unix.Unix_error _ -> path
+
 let conflict ~times ~observables ~others ~path =
   if times * observables > Spread.most_cells then
     Some
@@ -105,7 +111,7 @@ let conflict ~times ~observables ~others ~path =
          times)
   else
     let same (name, other) =
-      let is_same = Option.equal String.equal other (Some path) in
+      let is_same = Option.equal String.equal (Option.map place other) (Some (place path)) in
       if is_same then Some (Printf.sprintf "--view and %s name the same file" name) else None
     in
     List.find_map same others
