@@ -363,3 +363,15 @@ are merged.
   2 convex parts, 1 joint
     p1: 8 corners, 6 faces, volume 7
     p2: 8 corners, 6 faces, volume 7
+
+With corners of its own at each face, points have to become one vertex first.
+
+  $ awk 'NR <= 2 { next } NF == 3 { at[n++] = $0 } NF == 4 { for (i = 2; i <= 4; i++) points[m++] = at[$i] }
+  >   END { print "OFF"; print m, m / 3, 0; for (i = 0; i < m; i++) print points[i]
+  >         for (i = 0; i < m; i += 3) print 3, i, i + 1, i + 2 }' notched.off > apart.off
+  $ scc shape apart.off | grep mend
+  to mend it: scc shape --weld --merge
+  $ scc decompose apart.off 2>&1 | grep mend
+    hint: to mend it, add --weld
+  $ scc decompose apart.off --weld 2>&1 | grep mend
+    hint: to mend it, add --merge

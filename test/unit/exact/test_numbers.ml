@@ -110,6 +110,15 @@ let literals () =
   equal "5e+000000000000" "5";
   equal ("1e" ^ String.make 5000 '0' ^ "2") "100"
 
+(* With zeros among the numbers, and longer ones. *)
+let axpy =
+  let rational = Gen.map2 (fun n d -> Rat.make (Z.of_int n) (Z.of_int d)) (Gen.int_range (-3) 3) (Gen.int_range 1 3) in
+  let vector = Gen.map3 Vec.make rational rational rational in
+  QCheck2.Test.make ~count:5_000 ~name:"a x + y"
+    ~print:(fun (k, x, y) -> String.concat " " [ Rat.to_string k; Vec.to_string x; Vec.to_string y ])
+    (Gen.triple rational vector vector)
+    (fun (k, x, y) -> Vec.equal (Vec.axpy k x y) (Vec.add (Vec.scale k x) y))
+
 let () =
   Alcotest.run "numbers"
     [
@@ -122,5 +131,6 @@ let () =
       ( "rationals",
         Scc_test_support.Property.cases [ order; is_float ]
         @ [ Alcotest.test_case "which are floats" `Quick which_are_floats ] );
+      ("vectors", Scc_test_support.Property.cases [ axpy ]);
       ("literals", [ Alcotest.test_case "how many digits" `Quick literals ]);
     ]
