@@ -27,8 +27,8 @@ type t = {
 
 val default : t
 (** [Either], with numbers of 200 000 bits, 2{^30} steps and 20 000 instants. Intervals have an absolute width of
-    10^-6 and no bound. It is never interrupted, and tells
-    nobody. *)
+    10^-6 and no bound. It is never interrupted, and
+    [not_exact] does nothing. *)
 
 val most_layers : t -> int
 (** The greatest number of instants that are worked through: 16 times [layers]. *)

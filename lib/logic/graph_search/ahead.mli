@@ -9,7 +9,7 @@ module Make (L : Lts.S) : sig
   val put_answer : t -> all_edges:bool -> dull:(int array -> bool) -> Answers.words -> int -> int -> int
   (** [put_answer g ~all_edges ~dull words at i] puts the transitions of state [i] into [words] from [at] on. The
       result is the first place that is free after that. Without [all_edges], edges that change nothing may be left
-      out. [dull] is true of the tuples of new states that nobody needs to be shown. It raises {!Answers.Too_long}
+      out. [dull] is true of the tuples of new states that no visitor needs. It raises {!Answers.Too_long}
       if there is no room. *)
 
   (** {1 Sharing} *)

@@ -13,7 +13,7 @@ module Make (L : Lts.S) = struct
     order : order;
     tuples : Tuples.t;
     near : Tuples.spread;  (** the state being expanded *)
-    reader : Tuples.spread;  (** for those who ask *)
+    reader : Tuples.spread;  (** the state that was read last *)
     distances : Distances.t;
     statuses : L.fault Statuses.t;
     frontier : Frontier.t;

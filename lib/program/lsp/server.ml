@@ -46,7 +46,7 @@ let yes : Json.t = `Bool true
 
 let capabilities encoding : Json.t =
   let texts all : Json.t = `List (List.map (fun s -> `String s) all) in
-  let tokens = [ ("legend", Colouring.legend); ("full", options [ ("delta", yes) ]); ("range", yes) ] in
+  let tokens = [ ("legend", Semantic_tokens.legend); ("full", options [ ("delta", yes) ]); ("range", yes) ] in
   options
     [
       ("positionEncoding", `String (Positions.name encoding));
@@ -145,7 +145,7 @@ let closed live params =
   let d = Session.document live.session params in
   Asked.changed live.asked d.uri;
   Workspace.remove live.session.workspace d.uri;
-  Coloured.forget live.session.coloured d.uri;
+  Sent_tokens.forget live.session.sent_tokens d.uri;
   Reading_jobs.forget live.readings d;
   Publishing.forget live.publishing d.uri
 
@@ -177,9 +177,9 @@ let methods =
     ("textDocument/rename", later Navigate.rename);
     ("textDocument/documentSymbol", later Structure.symbols);
     ("textDocument/foldingRange", later Structure.folds);
-    ("textDocument/semanticTokens/full", Colouring.full);
-    ("textDocument/semanticTokens/full/delta", Colouring.delta);
-    ("textDocument/semanticTokens/range", later Colouring.within);
+    ("textDocument/semanticTokens/full", Semantic_tokens.full);
+    ("textDocument/semanticTokens/full/delta", Semantic_tokens.delta);
+    ("textDocument/semanticTokens/range", later Semantic_tokens.within);
     ("textDocument/formatting", later Structure.layout);
     ("textDocument/rangeFormatting", later Structure.layout_within);
     ("textDocument/codeAction", later Findings.actions);

@@ -9,7 +9,7 @@ type t = {
   workspace : Workspace.t;
   analyses : (string, int * Analysis.t) Hashtbl.t;
   verdicts : (string, verdict list) Hashtbl.t;
-  coloured : Coloured.t;
+  sent_tokens : Sent_tokens.t;
 }
 
 let create (client : Client.t) =
@@ -18,7 +18,7 @@ let create (client : Client.t) =
     workspace = Workspace.create client.encoding;
     analyses = Hashtbl.create 16;
     verdicts = Hashtbl.create 16;
-    coloured = Coloured.create ();
+    sent_tokens = Sent_tokens.create ();
   }
 
 let document t params =

@@ -16,7 +16,7 @@ type t = {
   workspace : Workspace.t;
   analyses : (string, int * Analysis.t) Hashtbl.t;  (** by address: for which version *)
   verdicts : (string, verdict list) Hashtbl.t;  (** by address, of the present text *)
-  coloured : Coloured.t;  (** what words were sent as *)
+  sent_tokens : Sent_tokens.t;  (** of the last answers *)
 }
 
 val create : Client.t -> t

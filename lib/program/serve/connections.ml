@@ -160,7 +160,7 @@ let rec oldest_silent waiting =
     oldest_silent waiting
   | (Some { heard = Head _; _ } | None) as oldest -> oldest
 
-(* So long it keeps its place: many who speak may come at one moment, and each is heard in its turn. *)
+(* A silent connection keeps its place so long: many requests may arrive at one moment, and are read one by one. *)
 let quiet_seconds = 1.
 
 (* Until a connection ends. The oldest silent one does so, once it has been silent for long enough. *)

@@ -15,5 +15,5 @@ val closing : Polyhedron.ifs -> Polyhedron_fault.t list -> Rat.t option
     distance was found. *)
 
 val merging : Polyhedron.ifs -> Polyhedron_fault.t list -> [ `Alone | `Welded ] option
-(** [merging set faults] tells whether merging alone, or after welding, leaves no edge that is in one face only
+(** [merging set faults] says whether merging alone, or after welding, leaves no edge that is in one face only
     ({!Scc_mesh.Mend.closing_merge}), if there are such edges. *)

@@ -22,7 +22,7 @@ val weld : Polyhedron.ifs -> Polyhedron.ifs * string
     not in a cloud, which has no faces. *)
 
 val closing_merge : Polyhedron.ifs -> [ `Alone | `Welded ] option
-(** [closing_merge set] tells how {!merge} leaves no edge that is in one face only, if there are such edges: alone,
+(** [closing_merge set] says how {!merge} leaves no edge that is in one face only, if there are such edges: alone,
     or after {!weld}. [None] if it does not. Where a corner of one face is within an edge of another one, the edges
     beside it are in one face each. Faces of one plane lose the corner when they become one. *)
 

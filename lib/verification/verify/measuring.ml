@@ -52,7 +52,7 @@ let reasons (r : Unsettled.t) temporal values doubts =
 
 let of_sides temporal sides find = Likelihoods.of_sides ~is_chain:(fun () -> Temporal.is_chain temporal) sides find
 
-(* Where no other reason tells why they are intervals. *)
+(* The reason why they are intervals, where there is no other. *)
 let inexact r temporal values reasons =
   if reasons <> [] || List.for_all (fun (_, m) -> Likelihoods.is_exact m) values then None
   else given_up r temporal

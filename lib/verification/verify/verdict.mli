@@ -178,7 +178,8 @@ val inexact_to_string : inexact -> string
 (** Why a number is an interval, as a clause, and what may be done about it. *)
 
 val inexact : t -> string option
-(** Why a measured number is an interval, where that is told. *)
+(** [inexact v] is the reason why a measured number is an interval, in words; [None] for fractions, and where
+    [reasons] says it. *)
 
 val rest_to_string : rest -> string
 (** A rest as [" by a run that goes round within one instant"] or [", of runs some of which end in a dead

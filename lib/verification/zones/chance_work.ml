@@ -43,7 +43,7 @@ type t = {
   mutable explored : Chance_graph.t list;  (** those of [used] that no check has explored before *)
   mutable stop : Scc_graph_search.Limits.stop option;
   mutable graphs : (Chance_claims.question * Chance_graph.t) list;  (** what was explored or taken over *)
-  mutable eighths : int;  (** of the layers of a graph that was given up for its time, so many count *)
+  mutable eighths : int;  (** how many eighths of the layers have values, in a graph whose exploration was stopped *)
 }
 
 let make (options : Setup.t) (context : Instant.context) shared ~starts =
@@ -136,7 +136,7 @@ let most_layers w graph =
 
 let box w = Ranges.box w.ranges
 
-(* {1 What is told} *)
+(* {1 Reasons and statistics} *)
 
 (* Why something is open: bounds that were met, and predicates. *)
 let reasons w =

@@ -17,6 +17,7 @@ val shared : Property.check list -> shared
 val groups : Property.check list -> (int * Property.check) list list
 (** [groups checks] is {!Zone_chance.groups}. *)
 
+(** The work on one check. *)
 type t = {
   options : Setup.t;
   context : Instant.context;
@@ -27,7 +28,7 @@ type t = {
   mutable explored : Chance_graph.t list;  (** those of [used] that no check has explored before *)
   mutable stop : Limits.stop option;  (** what ended an exploration *)
   mutable graphs : (Chance_claims.question * Chance_graph.t) list;  (** what was explored or taken over *)
-  mutable eighths : int;  (** of the layers of a graph that was given up for its time, so many count *)
+  mutable eighths : int;  (** how many eighths of the layers have values, in a graph whose exploration was stopped *)
 }
 
 val make :
@@ -52,10 +53,11 @@ val explore : t -> Chance_claims.question -> Chance_graph.t
 (** [explore w q] is the graph of a question after {!begin_with}. *)
 
 val most_layers : t -> Chance_graph.t -> int
-(** [most_layers w graph] is the number of layers whose values count. *)
+(** [most_layers w graph] is how many layers of a graph, from the first on, are to have values: all, or the part
+    [eighths] where the exploration was stopped. *)
 
 val box : t -> Polyhedron.t
-(** [box w] is the ranges. *)
+(** [box w] is the polyhedron of all starts: one dimension for each parameter, within its range. *)
 
 val reasons : t -> Verdict.truncation list * Verdict.reason list
 (** [reasons w] is the bounds that were met, and all reasons why something is open: bounds, and predicates. *)

@@ -112,7 +112,8 @@ let literals () =
 
 (* With zeros among the numbers, and longer ones. *)
 let axpy =
-  let rational = Gen.map2 (fun n d -> Rat.make (Z.of_int n) (Z.of_int d)) (Gen.int_range (-3) 3) (Gen.int_range 1 3) in
+  let quotient n d = Rat.make (Z.of_int n) (Z.of_int d) in
+  let rational = Gen.map2 quotient (Gen.int_range (-3) 3) (Gen.int_range 1 3) in
   let vector = Gen.map3 Vec.make rational rational rational in
   QCheck2.Test.make ~count:5_000 ~name:"a x + y"
     ~print:(fun (k, x, y) -> String.concat " " [ Rat.to_string k; Vec.to_string x; Vec.to_string y ])

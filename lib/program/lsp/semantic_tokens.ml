@@ -57,7 +57,7 @@ let none () : Json.t = `Null
 
 let sent (s : Session.t) (d : Workspace.document) =
   let words = lazy (data d (Colours.of_text d.reading)) in
-  (Coloured.add s.coloured ~uri:d.uri words, words)
+  (Sent_tokens.add s.sent_tokens ~uri:d.uri words, words)
 
 let full s params =
   match Session.plain_document s params with
@@ -71,7 +71,7 @@ let delta (s : Session.t) params =
   match Session.plain_document s params with
   | None -> none
   | Some d -> (
-      let before = Coloured.find s.coloured ~uri:d.uri before in
+      let before = Sent_tokens.find s.sent_tokens ~uri:d.uri before in
       let id, words = sent s d in
       match before with
       | None -> fun () -> all id (Lazy.force words)
@@ -80,7 +80,7 @@ let delta (s : Session.t) params =
           let edit (start, taken, put) : Json.t =
             `Assoc [ ("start", `Int start); ("deleteCount", `Int taken); ("data", integers put) ]
           in
-          let found = Coloured.difference (Lazy.force before) (Lazy.force words) in
+          let found = Sent_tokens.difference (Lazy.force before) (Lazy.force words) in
           `Assoc [ ("resultId", `String id); ("edits", `List (List.map edit (Option.to_list found))) ])
 
 let within s params : Json.t =
