@@ -43,7 +43,7 @@ type t = {
   mutable explored : Chance_graph.t list;  (** those of [used] that no check has explored before *)
   mutable stop : Scc_graph_search.Limits.stop option;
   mutable graphs : (Chance_claims.question * Chance_graph.t) list;  (** what was explored or taken over *)
-  mutable eighths : int;  (** how many eighths of the layers have values, in a graph whose exploration was stopped *)
+  mutable eighths : int;  (** how many eighths of the layers have values if the exploration was stopped *)
 }
 
 let make (options : Setup.t) (context : Instant.context) shared ~starts =

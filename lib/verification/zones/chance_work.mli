@@ -28,7 +28,7 @@ type t = {
   mutable explored : Chance_graph.t list;  (** those of [used] that no check has explored before *)
   mutable stop : Limits.stop option;  (** what ended an exploration *)
   mutable graphs : (Chance_claims.question * Chance_graph.t) list;  (** what was explored or taken over *)
-  mutable eighths : int;  (** how many eighths of the layers have values, in a graph whose exploration was stopped *)
+  mutable eighths : int;  (** how many eighths of the layers have values if the exploration was stopped *)
 }
 
 val make :
