@@ -66,16 +66,14 @@ let watch t : Flights.watch =
   }
 
 (* What ends at this time again is a new event. *)
-let ended t ends f =
+let ended t ends =
   t.last_end <- None;
-  let rec all ends =
+  let rec all flights ends =
     match still ends with
-    | No_more -> ()
-    | End { flight; rest; _ } ->
-      f flight;
-      all rest
+    | No_more -> flights
+    | End { flight; rest; _ } -> all (flight :: flights) rest
   in
-  all ends
+  all [] ends
 
 let drop_first t = Heap.drop_first t.events
 

@@ -33,5 +33,5 @@ val first : 'body t -> 'body event option
 val drop_first : 'body t -> unit
 (** [drop_first t] removes the event that {!first} gave. *)
 
-val ended : 'body t -> ends -> (Flights.flight -> unit) -> unit
-(** [ended t ends f] calls [f] for the flights of these sweeps, but for those that have another sweep by then. *)
+val ended : 'body t -> ends -> Flights.flight list
+(** [ended t ends] has the flights of these sweeps, but for those that have another sweep by now. *)

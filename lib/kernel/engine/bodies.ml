@@ -75,10 +75,11 @@ let body t first =
   | Some b -> b
   | None -> Scc_base.Bug.fail __POS__ "no process begins with this leaf"
 
-let renew t f =
-  Colliding.part t.colliding f.Flights.first;
-  let turns = turns t ~is_steered:(body t f.Flights.first).is_steered in
-  Flights.renew t.flights ~now:t.now ~turns f (Agenda.watch t.agenda)
+let flight_turns t (f : Flights.flight) = turns t ~is_steered:(body t f.first).is_steered
+
+let renew t flights =
+  List.iter (fun (f : Flights.flight) -> Colliding.part t.colliding f.first) flights;
+  Flights.renew t.flights ~now:t.now ~turns:(flight_turns t) flights (Agenda.watch t.agenda)
 
 (* {1 Processes that come, age and go} *)
 
@@ -166,7 +167,7 @@ let present t b =
 let happen t event =
   match event with
   | Agenda.Contact { one; two; _ } -> Colliding.meet t.colliding (body t one.first) (body t two.first)
-  | Sweep_ends { ends; _ } -> Agenda.ended t.agenda ends (renew t)
+  | Sweep_ends { ends; _ } -> renew t (Agenda.ended t.agenda ends)
   | Horizon { body; _ } ->
     body.process <- aged t body;
     schedule t body
@@ -200,7 +201,7 @@ let rec next_time t =
   | Some event when is_later (Agenda.time event) -> None
   | Some (Sweep_ends { ends; _ }) ->
     Agenda.drop_first t.agenda;
-    Agenda.ended t.agenda ends (renew t);
+    renew t (Agenda.ended t.agenda ends);
     next_time t
   | Some ((Contact _ | Horizon _ | Split_instant _) as event) -> Some (Agenda.time event)
 
@@ -271,9 +272,8 @@ let turn_all t processes =
     b
   in
   let turned = List.map turned processes in
-  let turns (f : Flights.flight) = turns t ~is_steered:(body t f.first).is_steered in
   let lines = List.map (fun b -> (b.flight, b.process)) turned in
-  Flights.turn t.flights ~now:t.now ~turns lines (Agenda.watch t.agenda);
+  Flights.turn t.flights ~now:t.now ~turns:(flight_turns t) lines (Agenda.watch t.agenda);
   List.iter (schedule t) turned
 
 let turn t processes =

@@ -139,41 +139,35 @@ let cast t ~now f i g j watch =
       if Rat.compare time now >= 0 && Rat.to_float time <= until then watch.contact time f g
   end
 
-(* Of two processes, whoever has been swept later looks for the other. *)
-let look t ~now f watch =
-  let from = Float_box.down now in
-  let look_from i =
-    let consider j =
-      let g = t.owner.(j) in
-      if g.sweep <= f.sweep then begin
-        t.neighbours <- t.neighbours + 1;
-        if Moving_boxes.may_meet t.boxes i j ~from then
-          if f.first < g.first then cast t ~now f i g j watch
-          else if g.first < f.first then cast t ~now g j f i watch
-      end
-    in
-    Box_tree.iter_meeting_own t.tree i consider
-  in
-  Array.iter look_from f.parts
+(* Two parts whose swept boxes meet. *)
+let consider t ~now ~from i f j g watch =
+  t.neighbours <- t.neighbours + 1;
+  if Moving_boxes.may_meet t.boxes i j ~from then
+    if f.first < g.first then cast t ~now f i g j watch else if g.first < f.first then cast t ~now g j f i watch
 
 (* If two processes collide at a time during the present sweeps of both, then at that time both are inside of what
-   they sweep, and touch: whoever was swept last has found the other in the tree. *)
-let begin_sweep t ~now ~turns f put watch =
+   they sweep, and touch: whoever was swept last has found the other in the tree. The result has the box that each
+   part sweeps. *)
+let begin_sweep t ~now ~turns f watch =
   t.sweeps <- t.sweeps + 1;
   f.sweep <- t.sweeps;
   let from = Float_box.down now in
   let until = end_of_sweep t ~now ~from ~turns f in
   let bound = match until with None -> infinity | Some time -> Float_box.up time in
-  let put_part i =
+  Option.iter (fun time -> watch.sweep_end time f) until;
+  fun i ->
     Moving_boxes.set_until t.boxes i bound;
-    put t.tree i (Moving_boxes.swept t.boxes i ~from)
-  in
-  Array.iter put_part f.parts;
-  Option.iter (fun time -> watch.sweep_end time f) until
+    Moving_boxes.swept t.boxes i ~from
 
-let sweep t ~now ~turns f put watch =
-  begin_sweep t ~now ~turns f put watch;
-  look t ~now f watch
+(* Those that are in the tree already, each as {!begin_sweep} has it. *)
+let sweep_again t ~now ~turns flights watch =
+  let from = Float_box.down now in
+  let begin_again moves f =
+    let swept = begin_sweep t ~now ~turns:(turns f) f watch in
+    Array.fold_left (fun moves i -> (i, swept i) :: moves) moves f.parts
+  in
+  Box_tree.move t.tree (List.fold_left begin_again [] flights);
+  Box_tree.iter_moved_pairs t.tree (fun i j -> consider t ~now ~from i t.owner.(i) j t.owner.(j) watch)
 
 let parts_of t (p : State.process) =
   let of_leaf (l : State.leaf) =
@@ -205,22 +199,27 @@ let launch t ~now ~turns (line : State.process) watch =
     }
   in
   place_parts t f line;
-  sweep t ~now ~turns f Box_tree.insert watch;
+  let swept = begin_sweep t ~now ~turns f watch in
+  let boxes = Array.map (fun i -> (i, swept i)) f.parts and from = Float_box.down now in
+  Array.iter (fun (i, box) -> Box_tree.insert t.tree i box) boxes;
+  let look (i, box) =
+    Box_tree.iter_meeting t.tree box (fun j -> consider t ~now ~from i f j t.owner.(j) watch)
+  in
+  Array.iter look boxes;
   f
 
-let renew t ~now ~turns f watch =
-  f.rounds <- f.rounds + 1;
-  sweep t ~now ~turns f Box_tree.move watch
+let renew t ~now ~turns flights watch =
+  List.iter (fun f -> f.rounds <- f.rounds + 1) flights;
+  sweep_again t ~now ~turns flights watch
 
 let turn t ~now ~turns flights watch =
-  let begin_again (f, (line : State.process)) =
+  let place_again (f, (line : State.process)) =
     f.velocity <- line.velocity;
     f.rounds <- 0;
-    place_parts t f line;
-    begin_sweep t ~now ~turns:(turns f) f Box_tree.move watch
+    place_parts t f line
   in
-  List.iter begin_again flights;
-  List.iter (fun (f, _) -> look t ~now f watch) flights
+  List.iter place_again flights;
+  sweep_again t ~now ~turns (List.rev_map fst flights) watch
 
 let drop t f =
   Array.iter (Box_tree.remove t.tree) f.parts;

@@ -38,9 +38,9 @@ val launch : t -> now:Rat.t -> turns:Rat.t option -> State.process -> watch -> f
     the end of the sweep, if it has one, and for collisions with all processes launched before. These are the
     first collisions of two parts, one of each process, during the sweeps of both. *)
 
-val renew : t -> now:Rat.t -> turns:Rat.t option -> flight -> watch -> unit
-(** [renew t ~now ~turns f watch] sweeps [f] once more, from [now] on and over time farther than before, and calls
-    [watch] as {!launch} does. *)
+val renew : t -> now:Rat.t -> turns:(flight -> Rat.t option) -> flight list -> watch -> unit
+(** [renew t ~now ~turns flights watch] sweeps flights, which are in the tree, once more: from [now] on and over
+    times farther than before. It calls [watch] as {!launch} does. *)
 
 val turn :
   t -> now:Rat.t -> turns:(flight -> Rat.t option) -> (flight * State.process) list -> watch -> unit
@@ -53,7 +53,7 @@ val drop : t -> flight -> unit
 (** The work done so far, for measurements. *)
 type work = {
   sweeps : int;
-  neighbours : int;  (** the parts that sweeps found in the tree, including the swept parts themselves *)
+  neighbours : int;  (** the pairs of parts that were found in the tree, and once again each part of a launch *)
   casts : int;  (** the exact queries *)
 }
 

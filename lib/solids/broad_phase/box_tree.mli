@@ -16,9 +16,14 @@ val insert : t -> int -> Float_box.t -> unit
 val remove : t -> int -> unit
 (** [remove t key] removes the box of a key that is in [t] (a bug otherwise). *)
 
-val move : t -> int -> Float_box.t -> unit
-(** [move t key box] is [remove t key] and then [insert t key box]. It is quicker where the new box is near to the
-    old one. *)
+val move : t -> (int * Float_box.t) list -> unit
+(** [move t moves] is [remove t key] and then [insert t key box] for each pair, a key and its new box: one batch,
+    whose keys differ. It is quicker where new boxes are near to the old ones, and where they are many. *)
+
+val iter_moved_pairs : t -> (int -> int -> unit) -> unit
+(** [iter_moved_pairs t f] calls [f] for each two boxes that meet, of which the last {!move} has moved
+    one or both. It does so once for each pair, in an order that depends on the tree. Since the batch, the set must
+    not have been changed. [f] must not change it either. *)
 
 val mem : t -> int -> bool
 (** [mem t key] is true if the set has a box under this key >= 0. *)
@@ -26,10 +31,6 @@ val mem : t -> int -> bool
 val iter_meeting : t -> Float_box.t -> (int -> unit) -> unit
 (** [iter_meeting t box f] calls [f] for the key of each box that [Float_box.meet]s [box], once each. The
     order depends on earlier insertions and removals. [f] must not change the tree. *)
-
-val iter_meeting_own : t -> int -> (int -> unit) -> unit
-(** [iter_meeting_own t key f] is [iter_meeting t box f] for the box of a key that is in [t] (a bug otherwise). It
-    calls [f] for [key], too. *)
 
 val height : t -> int
 (** The greatest number of nodes between a root and a leaf; for tests. *)

@@ -4,10 +4,12 @@ open Scc_geometry
 open Scc_broad_phase
 module Gen = QCheck2.Gen
 
+type place = Anew of Float_box.t | Shifted of float
+
 type change =
   | Insert of Float_box.t
   | Remove of int  (** of those there, by number *)
-  | Move of int * Float_box.t
+  | Move of (int * place) list  (** a batch *)
   | Ask of Float_box.t
 
 let box low high = Float_box.make ~low ~high
@@ -31,12 +33,15 @@ let random_box =
     (fun ((a, b), (c, d), (e, f)) -> box [| a; c; e |] [| b; d; f |])
     (Gen.triple interval interval interval)
 
+let place =
+  Gen.(oneof [ map (fun b -> Anew b) random_box; map (fun d -> Shifted d) (float_range (-2.) 2.) ])
+
 let change =
   let open Gen in
   frequency
     [
       (5, map (fun b -> Insert b) random_box); (3, map (fun i -> Remove i) nat);
-      (6, map2 (fun i b -> Move (i, b)) nat random_box);
+      (6, map (fun moves -> Move moves) (list_size (1 -- 20) (pair nat place)));
       (2, map (fun b -> Ask b) random_box);
     ]
 
@@ -46,7 +51,17 @@ let keys iter =
   List.sort Int.compare !keys
 
 let found tree b = keys (Box_tree.iter_meeting tree b)
-let found_by tree key = keys (Box_tree.iter_meeting_own tree key)
+
+let moved_pairs tree =
+  let pairs = ref [] in
+  Box_tree.iter_moved_pairs tree (fun i j -> pairs := (Int.min i j, Int.max i j) :: !pairs);
+  List.sort compare !pairs
+
+let expected_pairs there moved =
+  let with_later (i, b) (j, c) =
+    if i < j && (List.mem i moved || List.mem j moved) && Float_box.meet b c then Some (i, j) else None
+  in
+  List.sort compare (List.concat_map (fun one -> List.filter_map (with_later one) there) there)
 
 let expected there b =
   List.filter (fun (_, c) -> Float_box.meet b c) there |> List.map fst |> List.sort Int.compare
@@ -71,11 +86,21 @@ let play changes =
       let key, _ = List.nth there (i mod List.length there) in
       Box_tree.remove tree key;
       List.remove_assoc key there
-    | Move (i, b) ->
-      let key, _ = List.nth there (i mod List.length there) in
-      Box_tree.move tree key b;
-      if found_by tree key <> found tree b then QCheck2.Test.fail_report "a box has other neighbours by its key";
-      (key, b) :: List.remove_assoc key there
+    | Move moves ->
+      let moved (i, place) =
+        let key, b = List.nth there (i mod List.length there) in
+        let shifted d of_axis = Array.init 3 (fun axis -> of_axis b axis +. d) in
+        match place with
+        | Anew b -> (key, b)
+        | Shifted d -> (key, box (shifted d Float_box.low) (shifted d Float_box.high))
+      in
+      let moves = List.sort_uniq (fun (i, _) (j, _) -> Int.compare i j) (List.map moved moves) in
+      Box_tree.move tree moves;
+      let moved = List.map fst moves in
+      let there = moves @ List.filter (fun (key, _) -> not (List.mem key moved)) there in
+      if moved_pairs tree <> expected_pairs there moved then
+        QCheck2.Test.fail_report "other pairs than a list gives";
+      there
     | Ask b ->
       if found tree b <> expected there b then QCheck2.Test.fail_report "another answer than a list gives";
       there
