@@ -63,9 +63,15 @@ let is_float x =
   let n = Z.to_int n and d = Z.to_int d in
   n <= exact_float && n >= -exact_float && d > 0 && d land (d - 1) = 0
 
-let near_float x =
-  let n = Z.to_float (Q.num x) and d = Z.to_float (Q.den x) in
+let near_float_of_great n d x =
+  let n = Z.to_float n and d = Z.to_float d in
   if Float.abs n < 0x1p1000 && d < 0x1p1000 then n /. d else Q.to_float x
+
+(* What fits into machine integers is not put into boxes. *)
+let[@inline] near_float x =
+  let n = Q.num x and d = Q.den x in
+  if Z.fits_int n && Z.fits_int d then float_of_int (Z.to_int n) /. float_of_int (Z.to_int d)
+  else near_float_of_great n d x
 
 let bits x = Z.numbits (Q.num x) + Z.numbits (Q.den x)
 let max_digits = 4_000

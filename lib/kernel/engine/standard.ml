@@ -2,15 +2,22 @@ open Scc_broad_phase
 open Scc_calculus
 open Scc_semantics
 
-(* A leaf whose law is another one than when it was asked belongs to another model ({!Semantics.with_model}). *)
+(* A leaf whose law is another one than when it was asked belongs to another model ({!Semantics.with_model}). One
+   statement gives its law to many leaves, and then they have one answer in memory. *)
 let laws (model : Model.t) : Kinematics.laws =
-  let known = Array.make (Array.length model.leaves) None in
+  let known = Array.make (Array.length model.leaves) None and last = ref None in
   fun leaf law ask ->
-    match known.(leaf) with
-    | Some (same, shares) when same == law -> shares
-    | Some _ | None ->
+    match (known.(leaf), !last) with
+    | Some (same, shares), _ when same == law -> shares
+    | _, Some (same, shares) when same == law ->
+      known.(leaf) <- !last;
+      shares
+    | _ ->
       let shares = ask () in
-      if Law.is_constant law then known.(leaf) <- Some (law, shares);
+      if Law.is_constant law then begin
+        last := Some (law, shares);
+        known.(leaf) <- !last
+      end;
       shares
 
 let of_model model =

@@ -19,25 +19,25 @@ type t = {
   mutable parent_of : int array;  (** the parent of each leaf, or -1 *)
 }
 
-let size = 16
+let width = 16
 let heads = 40
 
 let initial_nodes = 64
 
-let bounds i side = (size * i) + (6 * side)
-let child t i side = int_of_float t.nodes.((size * i) + 12 + side)
-let height_of t i = int_of_float t.nodes.((size * i) + 14)
+let bounds i side = (width * i) + (6 * side)
+let child t i side = int_of_float t.nodes.((width * i) + 12 + side)
+let height_of t i = int_of_float t.nodes.((width * i) + 14)
 let height t c = if c < 0 then 0 else height_of t c
-let set_height t i h = t.nodes.((size * i) + 14) <- float_of_int h
+let set_height t i h = t.nodes.((width * i) + 14) <- float_of_int h
 
 (* The first child of a node of its own. *)
 let new_box = bounds heads 0
-let parent t i = int_of_float t.nodes.((size * i) + 15)
-let set_parent t i p = t.nodes.((size * i) + 15) <- float_of_int p
+let parent t i = int_of_float t.nodes.((width * i) + 15)
+let set_parent t i p = t.nodes.((width * i) + 15) <- float_of_int p
 let is_head i = i < heads
 
 let set_child t i side c =
-  t.nodes.((size * i) + 12 + side) <- float_of_int c;
+  t.nodes.((width * i) + 12 + side) <- float_of_int c;
   if c < 0 then t.parent_of.(-1 - c) <- i else set_parent t c i
 
 let side_of t i c = if child t i 0 = c then 0 else 1
@@ -47,7 +47,7 @@ let free_height = -1
 
 (* Chains the nodes from [first] to the end as free ones. *)
 let chain t first =
-  let n = Array.length t.nodes / size in
+  let n = Array.length t.nodes / width in
   for i = first to n - 1 do
     set_height t i free_height;
     set_parent t i (if i = n - 1 then -1 else i + 1)
@@ -55,7 +55,7 @@ let chain t first =
   t.free <- first
 
 let create () =
-  let nodes = Array.make (size * initial_nodes) Float.nan in
+  let nodes = Array.make (width * initial_nodes) Float.nan in
   let t = { nodes; free = -1; node_marks = Array.make initial_nodes 0; leaf_marks = [||]; parent_of = [||] } in
   chain t (heads + 1);
   t
@@ -69,8 +69,8 @@ let allocate t =
   if t.free < 0 then begin
     let n = Array.length t.nodes in
     t.nodes <- extended t.nodes (2 * n) Float.nan;
-    t.node_marks <- extended t.node_marks (2 * n / size) 0;
-    chain t (n / size)
+    t.node_marks <- extended t.node_marks (2 * n / width) 0;
+    chain t (n / width)
   end;
   let i = t.free in
   t.free <- parent t i;

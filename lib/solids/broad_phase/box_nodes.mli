@@ -82,6 +82,10 @@ val insert : t -> int -> int -> int -> unit
 val remove : t -> int -> int
 (** [remove t key] takes a leaf away that has a sibling. The result is the node that had been above its parent. *)
 
+val refit : t -> int -> unit
+(** [refit t i] restores the balance and the boxes of the nodes from [i] upwards, after the box of a child of [i] or its
+    height has changed. *)
+
 (** {1 Marks}
 
     A mark is a number > 0 for some leaves and for all nodes above them. A later one is greater, and replaces an

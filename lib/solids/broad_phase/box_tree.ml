@@ -7,12 +7,14 @@ type t = {
   pool : Box_nodes.t;
   mutable used : int;  (** a bit for each head with a root *)
   mutable moves : int;
+  mutable count : int;
   mutable batch : int;  (** the number of the last batch of moves, from 1: the mark of what it has moved *)
+  mutable moved : int list;  (** its keys *)
   mutable last : int array;  (** of each key: the head under which it was last, and a node near by, or -1 twice *)
 }
 
 let bug where what = Scc_base.Bug.fail where what
-let create () = { pool = Box_nodes.create (); used = 0; moves = 0; batch = 0; last = [||] }
+let create () = { pool = Box_nodes.create (); used = 0; moves = 0; count = 0; batch = 0; moved = []; last = [||] }
 
 let head_of_box box =
   let e = Float_box.extent box in
@@ -63,7 +65,8 @@ let insert t key box =
     put t.pool head 0 (-1 - key) ~from:new_box;
     t.used <- t.used lor (1 lsl head)
   end;
-  t.last.(2 * key) <- head
+  t.last.(2 * key) <- head;
+  t.count <- t.count + 1
 
 let remove t key =
   if not (mem t key) then bug __POS__ "a box that is not there is removed";
@@ -78,7 +81,8 @@ let remove t key =
       let above = Box_nodes.remove t.pool key in
       if is_head above then -1 else above
   in
-  t.last.((2 * key) + 1) <- near
+  t.last.((2 * key) + 1) <- near;
+  t.count <- t.count - 1
 
 (* {1 Batches of moves} *)
 
@@ -101,18 +105,27 @@ let keeps_place t key box =
   if keeps then copy_box t.pool ~from:new_box own;
   keeps
 
+let few = 16
 let is_moved t c = has_mark t.pool t.batch c
+
+(* Whether a batch has so many boxes that it is better to go through all nodes with such a box below them. *)
+let is_large t = List.compare_length_with t.moved (t.count / few) > 0
 
 (* Those that keep their places come first, and the nodes above them are refitted once. *)
 let move t moves =
   t.batch <- t.batch + 1;
+  t.moved <- List.rev_map fst moves;
+  let is_large = is_large t in
   let moves_on (key, box) =
     let keeps = keeps_place t key box in
-    if keeps then set_mark t.pool t.batch key;
+    if keeps then begin
+      set_mark t.pool t.batch key;
+      if not is_large then refit t.pool (leaf_parent t.pool key)
+    end;
     not keeps
   in
   let anew = List.filter moves_on moves in
-  iter_used t (fun head -> if is_moved t head then refit_marked t.pool t.batch head);
+  if is_large then iter_used t (fun head -> if is_moved t head then refit_marked t.pool t.batch head);
   let place_anew (key, box) =
     remove t key;
     insert t key box;
@@ -120,33 +133,41 @@ let move t moves =
   in
   List.iter place_anew anew
 
-(* Pairs of a box in or below [c], whose bounds are at [i], and one in or below [d], whose bounds are at [j]. *)
+(* Pairs of a box in or below [c] and one in or below [d], whose bounds, at [i] and [j], meet. *)
 let rec pairs_across t f i c j d =
-  if (is_moved t c || is_moved t d) && meet t.pool i j then
+  if is_moved t c || is_moved t d then
     if c < 0 && d < 0 then f (-1 - c) (-1 - d)
-    else if height t.pool c >= height t.pool d then begin
-      pairs_across t f (bounds c 0) (child t.pool c 0) j d;
-      pairs_across t f (bounds c 1) (child t.pool c 1) j d
-    end
-    else begin
-      pairs_across t f i c (bounds d 0) (child t.pool d 0);
-      pairs_across t f i c (bounds d 1) (child t.pool d 1)
-    end
+    else if c < 0 then
+      for side = 0 to 1 do
+        let j = bounds d side in
+        if meet t.pool i j then pairs_across t f i c j (child t.pool d side)
+      done
+    else if d < 0 then
+      for side = 0 to 1 do
+        let i = bounds c side in
+        if meet t.pool i j then pairs_across t f i (child t.pool c side) j d
+      done
+    else
+      for k = 0 to 3 do
+        let i = bounds c (k lsr 1) and j = bounds d (k land 1) in
+        if meet t.pool i j then pairs_across t f i (child t.pool c (k lsr 1)) j (child t.pool d (k land 1))
+      done
 
 let rec pairs_below t f c =
   if c >= 0 && is_moved t c then begin
     let first = child t.pool c 0 and second = child t.pool c 1 in
     pairs_below t f first;
     pairs_below t f second;
-    pairs_across t f (bounds c 0) first (bounds c 1) second
+    if meet t.pool (bounds c 0) (bounds c 1) then pairs_across t f (bounds c 0) first (bounds c 1) second
   end
 
-let iter_moved_pairs t f =
+let iter_pairs_below_marks t f =
   let root head = child t.pool head 0 in
   let pairs head =
     pairs_below t f (root head);
     iter_used t (fun other ->
-        if other > head then pairs_across t f (bounds head 0) (root head) (bounds other 0) (root other))
+        let i = bounds head 0 and j = bounds other 0 in
+        if other > head && meet t.pool i j then pairs_across t f i (root head) j (root other))
   in
   iter_used t pairs
 
@@ -161,6 +182,24 @@ let iter_meeting t box f =
     done
   in
   iter_used t visit
+
+let iter_meeting_leaf t key f =
+  let p = leaf_parent t.pool key in
+  let own = bounds p (side_of t.pool p (-1 - key)) in
+  let rec visit i =
+    for side = 0 to 1 do
+      if meet t.pool (bounds i side) own then
+        let c = child t.pool i side in
+        if c < 0 then f (-1 - c) else visit c
+    done
+  in
+  iter_used t visit
+
+let iter_moved_pairs t f =
+  if is_large t then iter_pairs_below_marks t f
+  else
+    let first_of key other = if other <> key && not (is_moved t (-1 - other) && other < key) then f key other in
+    List.iter (fun key -> iter_meeting_leaf t key (first_of key)) t.moved
 
 let is_sound t =
   let sound = ref true in

@@ -3,7 +3,7 @@ open Scc_exact
 type floats = { x : float; y : float; z : float }
 
 (* What is too small for a float is not to pass for 0. *)
-let float q =
+let[@inline] float q =
   let x = Rat.near_float q in
   if x = 0. && Rat.sign q <> 0 then Float.nan else x
 
