@@ -105,11 +105,12 @@ let keeps_place t key box =
   if keeps then copy_box t.pool ~from:new_box own;
   keeps
 
-let few = 16
 let is_moved t c = has_mark t.pool t.batch c
 
-(* Whether a batch has so many boxes that it is better to go through all nodes with such a box below them. *)
-let is_large t = List.compare_length_with t.moved (t.count / few) > 0
+(* A batch is large if it has more than this part of all boxes. Then it is quicker to go once through all nodes
+   above its boxes than from each box to the root, or from the roots to each box. *)
+let large_part = 16
+let is_large t = List.compare_length_with t.moved (t.count / large_part) > 0
 
 (* Those that keep their places come first, and the nodes above them are refitted once. *)
 let move t moves =
@@ -173,33 +174,29 @@ let iter_pairs_below_marks t f =
 
 (* {1 Queries} *)
 
-let iter_meeting t box f =
+(* The leaves with a box of which [test] is true, as it is of the boxes of all nodes above them. *)
+let iter_where t test f =
   let rec visit i =
     for side = 0 to 1 do
-      if meets t.pool (bounds i side) box then
+      if test (bounds i side) then
         let c = child t.pool i side in
         if c < 0 then f (-1 - c) else visit c
     done
   in
   iter_used t visit
 
-let iter_meeting_leaf t key f =
-  let p = leaf_parent t.pool key in
-  let own = bounds p (side_of t.pool p (-1 - key)) in
-  let rec visit i =
-    for side = 0 to 1 do
-      if meet t.pool (bounds i side) own then
-        let c = child t.pool i side in
-        if c < 0 then f (-1 - c) else visit c
-    done
-  in
-  iter_used t visit
+let iter_meeting t box f = iter_where t (fun at -> meets t.pool at box) f
 
 let iter_moved_pairs t f =
   if is_large t then iter_pairs_below_marks t f
   else
-    let first_of key other = if other <> key && not (is_moved t (-1 - other) && other < key) then f key other in
-    List.iter (fun key -> iter_meeting_leaf t key (first_of key)) t.moved
+    let pairs key =
+      let p = leaf_parent t.pool key in
+      let own = bounds p (side_of t.pool p (-1 - key)) in
+      let others other = if other > key || (other < key && not (is_moved t (-1 - other))) then f key other in
+      iter_where t (meet t.pool own) others
+    in
+    List.iter pairs t.moved
 
 let is_sound t =
   let sound = ref true in
