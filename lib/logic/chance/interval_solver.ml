@@ -126,9 +126,7 @@ let solve_part t part ~gap =
   in
   (* Where some scheduler may stay for ever, there may be no greatest number of steps. *)
   let by_steps =
-    lazy
-      (let sweeps = (if t.proper then 16 else 1) * (1_000 + p.sweeps) in
-       if size part <= Direct.greatest then 0. else Guess.per_step t part ~gap ~sweeps)
+    lazy (Guess.per_step t part ~gap ~sweeps:((if t.proper then 16 else 1) * (1_000 + p.sweeps)))
   in
   let prove side gap sweeps =
     (t.effort.relative && trial side (Even (gap *. Guess.least t part)) 2)

@@ -307,6 +307,19 @@ let in_turn () =
   check "decided" ("interval", 1, true) (shared ~time:1_000 ~needed:240 ~intervals:10 ~enough:true);
   check "no time" ("interval", 1, true) (shared ~time:0 ~needed:5 ~intervals:10 ~enough:false)
 
+(* A cycle in which each state is as far from its value as the one before: what becomes nearer goes around it, and the
+   others, which rounding takes farther, never settle at once. *)
+let around () =
+  let plain =
+    [|
+      [ (1, [ (3, 2) ]) ]; [ (0, [ (1, 1); (1, 1); (4, 2) ]); (2, [ (0, 4) ]) ]; [ (0, [ (2, 1) ]) ];
+      [ (2, [ (2, 4); (1, 1); (0, 3) ]); (0, [ (1, 4); (2, 1); (1, 1) ]) ];
+      [ (1, [ (0, 4); (4, 3) ]); (2, [ (0, 1) ]); (0, [ (0, 2); (1, 4) ]) ];
+    |]
+  in
+  let c = { plain; goal = Array.init 5 (Int.equal 2); stay = Array.make 5 true } in
+  Alcotest.(check bool) "narrow" true (rewards_nearly c)
+
 let () =
   let case name f = Alcotest.test_case name `Quick f in
   let with_bound = Gen.pair gen (Gen.int_bound 12) in
@@ -322,6 +335,7 @@ let () =
           law "what a bound decides" with_bound (fun (c, k) -> Printf.sprintf "%s\nbound %d/12" (print c) k)
             decided; ] );
       ("closed forms", [ case "ruin" ruin; case "a long walk" long_walk; case "slow convergence" slow ]);
+      ("a cycle", [ case "rewards" around ]);
       ("limits", [ case "what is no process" refused; case "interrupted" interrupted;
                    case "fractions and intervals in turn" in_turn ]);
     ]
