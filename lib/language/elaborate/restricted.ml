@@ -25,16 +25,21 @@ let within (inner : Ranges.range) (outer : Ranges.range) =
   && ends (Rat.compare outer.high.value inner.high.value) inner.high outer.high
 
 let range report at (declared : Ranges.range) given =
-  let outside what =
-    Report.error report Code.bad_range Span.none "%s is not within %s" what (text declared);
+  let outside ?hint what =
+    Report.error report Code.bad_range Span.none ?hint "%s is not within %s" what (text declared);
     None
+  in
+  let excluded q =
+    let is (b : Ranges.bound) = (not b.included) && Rat.equal b.value q in
+    if is declared.low || is declared.high then Some "a round bracket leaves out its end, and a square one has it"
+    else None
   in
   match (of_range report at declared, given) with
   | None, _ -> None
   | Some known, None -> Some known
   | Some _, Some (Overrides.Value q) ->
     if Ranges.mem declared q then Some (Known q)
-    else outside (Printf.sprintf "`%s = %s`" declared.name (Rat.to_string q))
+    else outside ?hint:(excluded q) (Printf.sprintf "`%s = %s`" declared.name (Rat.to_string q))
   | Some _, Some (Within (low, high)) ->
     let narrow = { declared with low; high } in
     Option.bind (of_range report Span.none narrow) (fun known ->

@@ -53,6 +53,9 @@ let write_witnesses loaded path folder verdicts =
 (* What was asked for besides the verdicts. *)
 type extra = { covered : (Explored.t * Coverage.t) option; measured : Measured.t option }
 
+let parameter_name (l : Loaded.t) =
+  Option.map (fun (p : Scc_calculus.Open_number.t) -> p.parameter.name) l.parameter
+
 let print_json console ~full ~where:shown_where loaded report verdicts extra code =
   let json =
     Check_json.document ~source:(Console.source console)
@@ -64,7 +67,8 @@ let print_json console ~full ~where:shown_where loaded report verdicts extra cod
         diagnostics = Console.kept console;
         exit = Exit_code.to_int code;
         full;
-        cure = Scc_estimate.Cure.of_outcome loaded.model ~from:loaded.declared;
+        cure =
+          Scc_estimate.Cure.of_outcome loaded.model ~parameter:(parameter_name loaded) ~from:loaded.declared;
         coverage = extra.covered;
         measured = Option.map (fun m -> Measured.numbers m report) extra.measured;
       }
@@ -78,10 +82,10 @@ let print_text console ~full ~where ~prove (loaded : Loaded.t) (report : Check.r
   let c = loaded.semantics in
   let print = Console.tell console in
   print (Scc_calculus.Parameters.line loaded.origin.settings ^ "\n\n");
-  let runs = Option.is_none loaded.parameter in
+  let parameter = parameter_name loaded in
   let property i v =
     let where = List.nth_opt where i in
-    print (Check_text.property console ~full ~runs ?where c ~from:loaded.declared v ^ "\n")
+    print (Check_text.property console ~full ?parameter ?where c ~from:loaded.declared v ^ "\n")
   in
   List.iteri property verdicts;
   let zeno w = if not (List.exists shows_zeno verdicts) then print (Check_text.zeno ~full c w ^ "\n") in

@@ -155,8 +155,15 @@ let where_lines (o : Verdict.outcome) w =
   | Undecided _ when Verdict.asks_number o.check -> [ "its value is not known for all starts" ]
   | Holds _ | Violated _ | Measured _ | Depends _ | Undecided _ -> Scc_regions.Words.lines w
 
-let function_lines ~full = function
+(* What a verdict has no room for: a function, and with [full] all digits of a number. *)
+let answer_lines ~full = function
   | Verdict.Depends { parameter; values; holds } -> Depending.lines ~full parameter ~values ~holds
+  | Measured { values; starts = []; _ } when full ->
+    let texts = List.map (fun (side, m) -> (side, Likelihoods.in_full m)) values in
+    let same = match texts with (_, first) :: rest -> List.for_all (fun (_, t) -> t = first) rest | [] -> true in
+    let line what text = Printf.sprintf "%sexactly: %s" what text in
+    if same then List.filteri (fun i _ -> i = 0) texts |> List.filter_map (fun (_, t) -> Option.map (line "") t)
+    else List.filter_map (fun (side, t) -> Option.map (line (Likelihoods.side side ^ ", ")) t) texts
   | Holds _ | Violated _ | Measured _ | Undecided _ -> []
 
 let no_run formula =
@@ -166,11 +173,11 @@ let no_run formula =
     "there is a run that shows it, but none was found that is short enough to be shown"
   else "no single run shows it: everything that counts was explored"
 
-let property console ~full ?(runs = true) ?where c ~from (o : Verdict.outcome) =
+let property console ~full ?parameter ?where c ~from (o : Verdict.outcome) =
   let { Verdict.check; verdict = v; lost; left_out; _ } = o in
   let verdict = Console.styled console (style v) (Verdict.outcome_to_string o) in
   let head = Printf.sprintf "%s: %s\n  %s\n" (Console.styled console Strong check.name) verdict check.text in
-  let functions = indented 2 (function_lines ~full v) in
+  let functions = indented 2 (answer_lines ~full v) in
   let head = head ^ Curve_output.lines v ^ String.concat "" functions in
   let witness = witness ~full ~about:(about check.formula) c in
   let run =
@@ -197,12 +204,12 @@ let property console ~full ?(runs = true) ?where c ~from (o : Verdict.outcome) =
       List.map fault lost
     | _ when Option.is_some left_out -> []
     | Violated { witness = None } when Verdict.over_zones o -> [ Printf.sprintf "  %s\n" (no_run check.formula) ]
-    | Violated { witness = None } when not runs -> []
+    | Violated { witness = None } when Option.is_some parameter -> []
     | Violated { witness = None } -> [ "  no run shows it: everything that counts was explored\n" ]
     | _ -> []
   in
   let cure =
-    Scc_estimate.Cure.of_outcome (Semantics.model c) ~from o
+    Scc_estimate.Cure.of_outcome (Semantics.model c) ~parameter ~from o
     |> Option.fold ~none:[] ~some:(fun text -> [ Printf.sprintf "  likely cure: %s\n" text ])
   in
   let other =

@@ -29,6 +29,11 @@ let paths (l : Loaded.t) asked ~by_name =
   let* found, left =
     List.fold_left (fun acc c -> let* acc = acc in one acc c) (Ok ([], [])) asked
   in
+  let is_about_chance ((c : Property.check), _) =
+    match c.asked with
+    | How_likely _ | Expected _ -> true
+    | Whether -> Formula.asks_probability c.formula
+  in
   match (found, left) with
   | [], [] when by_name ->
     Error
@@ -36,6 +41,8 @@ let paths (l : Loaded.t) asked ~by_name =
         Diag.error Code.wrong_kind Span.command_line "the checks that are named have no members here"
           ~hint:"the loops that declare them are empty";
       ]
+  | [], _ when List.exists is_about_chance left ->
+    Error (List.concat_map (fun (c, why) -> Levels.refused c why) (List.filter is_about_chance (List.rev left)))
   | [], _ ->
     Error
       [

@@ -29,11 +29,15 @@ let several_bounce (m : Model.t) =
   let walkers = List.filter (fun (l : Model.leaf) -> Law.draws l.law) (Array.to_list m.leaves) in
   m.blocked = Bounce && List.compare_length_with walkers 1 > 0
 
-let of_path model (path : Path.t) =
+(* With a value for each parameter that has but a range: an estimate is of one start, and of one model. *)
+let of_path model ~parameter (path : Path.t) =
   let ends = match path.horizon with Some _ -> "" | None -> ", if most of them come to where it is known" in
   let free = if several_bounce model then "; with `--free evenly` where walkers bounce off each other" else "" in
+  let unknown = Option.to_list parameter @ List.map (fun (r : Ranges.range) -> r.name) (Array.to_list model.ranges) in
+  let given = String.concat "" (List.map (Printf.sprintf " -D %s=VALUE") unknown) in
+  let there = match unknown with [] -> "" | [ _ ] -> ", for that value" | _ -> ", for these values" in
   let by_runs what =
-    Printf.sprintf "`scc estimate --check %s` tells %s%s%s" path.check.name what ends free
+    Printf.sprintf "`scc estimate --check %s%s` tells %s%s%s%s" path.check.name given what there ends free
   in
   match tells path with
   | None -> None
@@ -42,10 +46,9 @@ let of_path model (path : Path.t) =
   | Some Upper_end -> Some (by_runs "from many runs what it is at most, with a confidence")
   | Some Only_within_bounds -> Some within_bounds
 
-let of_outcome model ~from (o : Verdict.outcome) =
-  let cured = List.exists of_size (Verdict.truncated o.verdict) && not (Verdict.over_zones o) in
-  if not cured then None
+let of_outcome model ~parameter ~from (o : Verdict.outcome) =
+  if not (List.exists of_size (Verdict.truncated o.verdict)) then None
   else
     match Path.of_check ~from model o.check with
-    | Ok path -> of_path model path
+    | Ok path -> of_path model ~parameter path
     | Error _ -> None

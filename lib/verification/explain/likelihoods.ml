@@ -24,6 +24,15 @@ let number x =
   else if String.length text > longest then Printf.sprintf "%s (%s)" text (rounded x)
   else text
 
+let in_full (m : Scc_ctl.Eval.measured) =
+  match (Answer.lower m.least, Answer.upper m.most) with
+  | Some x, Some y when Rat.equal x y ->
+    let text = Rat.to_string x in
+    if String.length text > 2 * longest then Some text else None
+  | Some x, Some y -> Some (Printf.sprintf "in [%s, %s]" (Rat.to_string x) (Rat.to_string y))
+  | Some x, None -> Some ("at least " ^ Rat.to_string x)
+  | None, _ -> None
+
 let between low high =
   match (low, high) with
   | Some x, Some y when Rat.equal x y -> number x

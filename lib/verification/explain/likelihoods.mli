@@ -11,6 +11,9 @@ val measured : Eval.measured -> string
     ["1/3"], ["123456789/987654321 (about 0.125)"], or ["in [1/4, 1/2]"] with decimals that are rounded
     outwards. *)
 
+val in_full : Eval.measured -> string option
+(** {!measured} with all digits, as ["1/3"] or ["in [1/4, 1/2]"]. [None] if {!measured} has them already. *)
+
 val known : Scc_property.Property.side -> Eval.measured -> string
 (** A measured probability as ["the least probability is 1/3"]. *)
 
