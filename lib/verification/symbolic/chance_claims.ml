@@ -56,10 +56,6 @@ let reasons t = List.sort String.compare t.reasons
 
 (* {1 Predicates} *)
 
-let undecided t reason =
-  if not (List.mem reason t.reasons) then t.reasons <- reason :: t.reasons;
-  Open
-
 (* The regions where the elapsed time is within the bound, after [passed], and the others. *)
 let in_time t (z : Zone.t) region =
   let bound = t.question.bound in
@@ -79,26 +75,44 @@ let not_after_time horizon (z : Zone.t) region =
     (Option.to_list yes, no)
   | None, _ | _, None -> ([ region ], [])
 
-(* What is known at an instant: [None] where the run has to go on. *)
+(* What becomes of the states of a region: [None] where the run has to go on; and what may have come before that,
+   where a predicate is undecided. *)
+type met = { region : Polyhedron.t; perhaps : tree list; met : tree option }
+
+let going_on region = { region; perhaps = []; met = None }
+let sure region met = { region; perhaps = []; met = Some met }
+
+let one_of perhaps tree = if perhaps = [] then tree else Perhaps (tree :: perhaps)
+
+let note t reason = if not (List.mem reason t.reasons) then t.reasons <- reason :: t.reasons
+
 let judged t (z : Zone.t) =
   let view set = { Atoms.zone = { z with set }; passing = false; quiescent = [] } in
-  let by_claim region =
-    let one (p, (truth : Truth.t)) =
-      (p, match truth with True -> None | False -> Some Lost | Undecided reason -> Some (undecided t reason))
+  let by_claim perhaps region =
+    let one (region, (truth : Truth.t)) =
+      match truth with
+      | True -> { region; perhaps; met = None }
+      | False -> { region; perhaps; met = Some Lost }
+      | Undecided reason ->
+        note t reason;
+        { region; perhaps = Lost :: perhaps; met = None }
     in
     List.map one (t.claim (view region))
   in
   let by_goal (p, (truth : Truth.t)) =
     match truth with
-    | Undecided reason -> [ (p, Some (undecided t reason)) ]
-    | False -> by_claim p
+    | False -> by_claim [] p
     | True ->
       let yes, no = in_time t z p in
-      List.map (fun q -> (q, Some Won)) yes @ List.concat_map by_claim no
+      List.map (fun q -> sure q Won) yes @ List.concat_map (by_claim []) no
+    | Undecided reason ->
+      note t reason;
+      let yes, no = in_time t z p in
+      List.concat_map (by_claim [ Won ]) yes @ List.concat_map (by_claim []) no
   in
   let timely, late = not_after_time t.question.bound.high z z.set in
   List.concat_map (fun p -> List.concat_map by_goal (t.goal (view p))) timely
-  @ List.map (fun p -> (p, Some Lost)) late
+  @ List.map (fun p -> sure p Lost) late
 
 (* {1 Between two events} *)
 
@@ -124,9 +138,9 @@ let not_after ~n bad states =
     let before = Union.inter any_later (moved bad ~n ~dimension (n + 1)) in
     Union.difference states (project before ~dimension:(n + 1))
 
-(* The states (y, d) of a trajectory at which the goal comes first, at which something is not known, and at
-   which the claim fails. *)
-type met_on_the_way = { won : Union.t; open_ : Union.t; lost : Union.t }
+(* The states (y, d) of a trajectory at which the goal comes first, for sure or if the claim holds wherever it is
+   undecided; at which the goal, or the claim, is undecided; and at which the claim fails. *)
+type on_the_way = { won : Union.t; won_perhaps : Union.t; open_goal : Union.t; open_claim : Union.t; lost : Union.t }
 
 let on_the_way t (z : Zone.t) =
   let n = Zone.dimension z - 1 in
@@ -135,23 +149,51 @@ let on_the_way t (z : Zone.t) =
   let set pieces = Union.of_polyhedra (n + 1) pieces in
   let goal = t.goal view and claim = t.claim view in
   let is_true = Truth.equal True and is_false = Truth.equal False in
-  let is_open = function Truth.Undecided reason -> ignore (undecided t reason); true | True | False -> false in
+  let is_open = function Truth.Undecided reason -> note t reason; true | True | False -> false in
   let in_window = List.concat_map (fun p -> fst (in_time t z p)) in
   let lost = set (of_truth claim is_false) in
   let open_claim = set (of_truth claim is_open) and open_goal = set (in_window (of_truth goal is_open)) in
-  let bad = Union.union lost open_claim in
-  let won = not_after ~n bad (set (in_window (of_truth goal is_true))) in
-  { won; open_ = Union.union open_claim open_goal; lost }
+  let goal = set (in_window (of_truth goal is_true)) in
+  {
+    won = not_after ~n (Union.union lost open_claim) goal;
+    won_perhaps = (if Union.is_empty open_claim then Union.empty (n + 1) else not_after ~n lost goal);
+    open_goal; open_claim; lost;
+  }
+
+let over f w =
+  {
+    won = f w.won; won_perhaps = f w.won_perhaps; open_goal = f w.open_goal; open_claim = f w.open_claim;
+    lost = f w.lost;
+  }
+
+(* Those inside of a set, and the others. *)
+let cut set p =
+  if Union.is_empty set then ([], [ p ])
+  else
+    let u = Union.of_polyhedron p in
+    let inside = Union.disjoint (Union.inter u set) in
+    (Union.pieces inside, Union.pieces (Union.disjoint (Union.difference u inside)))
 
 (* A region by what is first met on the way; the sets are over its variables. *)
-let divided region { won; open_; lost } =
-  let take (rest, found) (set, tree) =
-    let inside = Union.disjoint (Union.inter rest set) in
-    (Union.difference rest inside, List.map (fun p -> (p, Some tree)) (Union.pieces inside) @ found)
+let divided region w =
+  let take set tree regions =
+    let cuts = List.map (fun (p, perhaps) -> (cut set p, perhaps)) regions in
+    let found ((inside, _), perhaps) = List.map (fun region -> { region; perhaps; met = Some tree }) inside in
+    let left ((_, outside), perhaps) = List.map (fun p -> (p, perhaps)) outside in
+    (List.concat_map found cuts, List.concat_map left cuts)
   in
-  let all = [ (won, Won); (open_, Open); (lost, Lost) ] in
-  let rest, found = List.fold_left take (Union.of_polyhedron region, []) all in
-  List.map (fun p -> (p, None)) (Union.pieces (Union.disjoint rest)) @ List.rev found
+  let may_be set tree regions =
+    let one (p, perhaps) =
+      let inside, outside = cut set p in
+      List.map (fun q -> (q, tree :: perhaps)) inside @ List.map (fun q -> (q, perhaps)) outside
+    in
+    List.concat_map one regions
+  in
+  let won, rest = take w.won Won [ (region, []) ] in
+  let rest = may_be w.open_claim Lost (may_be w.open_goal Won rest) in
+  let won_perhaps, rest = take w.won_perhaps Won rest in
+  let lost, rest = take w.lost Lost rest in
+  won @ won_perhaps @ lost @ List.map (fun (region, perhaps) -> { region; perhaps; met = None }) rest
 
 let is_steady (p : Property.prop) = Formula.steady ~rigid:false p && not (Formula.has_events (State p))
 
@@ -177,7 +219,9 @@ let depends_on_instants t = match t.question.wanted with Time | Value_at _ -> tr
 let at_dead_end t =
   match t.question.wanted with
   | Chance | Time | Happenings _ -> Lost
-  | Value_at _ -> undecided t "a run may end in a dead end before the number is taken"
+  | Value_at _ ->
+    note t "a run may end in a dead end before the number is taken";
+    Open
 
 (* The lower bounds that a polyhedron sets to its last variable, over the others. *)
 let lower_ends ~n p =
@@ -222,32 +266,44 @@ let first_of all =
   in
   List.fold_left add [] all
 
-(* When the goal comes first. What is not known may come before. *)
+(* When the goal comes first; and when it may come before, where it is undecided. *)
 let first_times t (z : Zone.t) (cell : Passing.due First.cell) =
   let n = Zone.dimension z in
   let w = on_the_way t (Passing.trajectory t.context z cell) in
-  let none = Union.empty n in
-  let parts = divided cell.region { won = none; open_ = project w.open_ ~dimension:n; lost = none } in
-  let won = first_of (List.concat_map (infima ~n) (Union.pieces w.won)) in
-  let of_part (region, met) =
-    let cut (left, found) (p, time) =
-      let cut_one q =
+  let times u = first_of (List.concat_map (infima ~n) (Union.pieces u)) in
+  let by_times times here found left regions =
+    let one (left_out, parts) (p, time) =
+      let cut_one (q, perhaps) =
         let inside, rest = Region.split q (Polyhedron.constraints p) in
-        (List.map (fun q -> (q, Some (gain time time Won))) (Option.to_list inside), rest)
+        (List.map (fun q -> here q perhaps (gain time time Won)) (Option.to_list inside),
+         List.map (fun q -> (q, perhaps)) rest)
       in
-      let parts = List.map cut_one left in
-      (List.concat_map snd parts, List.concat_map fst parts @ found)
+      let cuts = List.map cut_one left_out in
+      (List.concat_map snd cuts, List.concat_map fst cuts @ parts)
     in
-    match met with
-    | Some _ -> [ (region, met) ]
-    | None ->
-      let left, found = List.fold_left cut ([ region ], []) won in
-      List.map (fun q -> (q, None)) left @ found
+    let rest, parts = List.fold_left one (regions, []) times in
+    found parts @ left rest
   in
-  List.concat_map of_part parts
+  let undecided, decided = cut (project w.open_claim ~dimension:n) cell.region in
+  let regions =
+    by_times (times w.open_goal)
+      (fun q perhaps tree -> (q, tree :: perhaps))
+      Fun.id Fun.id
+      (List.map (fun q -> (q, [])) decided)
+  in
+  List.map (fun p -> sure p Open) undecided
+  @ by_times (times w.won)
+    (fun region perhaps tree -> { region; perhaps; met = Some tree })
+    Fun.id
+    (List.map (fun (region, perhaps) -> { region; perhaps; met = None }))
+    regions
+
+let undecided t reason =
+  note t reason;
+  Open
 
 let value t number ~passing (z : Zone.t) =
-  let known (p, v) = (p, Some (match v with Ok form -> Is form | Error reason -> undecided t reason)) in
+  let known (p, v) = sure p (match v with Ok form -> Is form | Error reason -> undecided t reason) in
   List.map known (Atoms.number t.atoms number { zone = z; passing; quiescent = [] })
 
 (* Where the time comes before the next event, the number is taken. *)
@@ -269,25 +325,24 @@ let at_time t (z : Zone.t) (cell : Passing.due First.cell) number time =
     List.concat_map (fun set -> value t number ~passing:false { z with set }) (Option.to_list at_once)
     @ List.concat_map (fun set -> value t number ~passing:true (later set)) passing
   in
-  List.map (fun p -> (p, None)) (Option.to_list goes_on) @ List.concat_map taken here
+  List.map going_on (Option.to_list goes_on) @ List.concat_map taken here
 
 let along t (z : Zone.t) (cell : Passing.due First.cell) =
   match t.question.wanted with
   | Value_at (number, time) -> at_time t z cell number time
-  | Chance | Time | Happenings _ when nothing_on_the_way t -> [ (cell.region, None) ]
+  | Chance | Time | Happenings _ when nothing_on_the_way t -> [ going_on cell.region ]
   | Time -> first_times t z cell
   | Chance | Happenings _ ->
     let project u = project u ~dimension:(Zone.dimension z) in
-    let w = on_the_way t (Passing.trajectory t.context z cell) in
-    divided cell.region { won = project w.won; open_ = project w.open_; lost = project w.lost }
+    divided cell.region (over project (on_the_way t (Passing.trajectory t.context z cell)))
 
 (* Where time stops for a split: what was met until then, over one more variable. *)
 let along_until_stop t (z : Zone.t) (cell : Passing.due First.cell) (halted : Zone.t) =
-  if nothing_on_the_way t then [ (halted.set, None) ]
+  if nothing_on_the_way t then [ going_on halted.set ]
   else
     let n = Zone.dimension z in
     let w = on_the_way t (Passing.trajectory t.context z cell) in
     let dimension = n + 2 in
     let no_later = Constraint.at_most (variable dimension (n + 1)) (variable dimension n) in
     let until u = project (restrict (moved u ~n ~dimension (n + 1)) [ no_later ]) ~dimension:(n + 1) in
-    divided halted.set { won = until w.won; open_ = until w.open_; lost = until w.lost }
+    divided halted.set (over until w)

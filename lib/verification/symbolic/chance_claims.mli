@@ -48,9 +48,15 @@ val reasons : t -> string list
 val not_after_time : Rat.t option -> Zone.t -> Polyhedron.t -> Polyhedron.t list * Polyhedron.t list
 (** The regions in which the time of the zone is no later than a bound, and the others. *)
 
-val judged : t -> Zone.t -> (Polyhedron.t * Chance_tree.tree option) list
-(** Regions that divide a zone: where the until is decided at this instant, or not known, and [None] where the
-    run has to go on. *)
+(** What becomes of the states of a region: what the until comes to, or [None] where the run has to go on. Where a
+    predicate is undecided, it may come to one of [perhaps] instead. *)
+type met = { region : Polyhedron.t; perhaps : Chance_tree.tree list; met : Chance_tree.tree option }
+
+val one_of : Chance_tree.tree list -> Chance_tree.tree -> Chance_tree.tree
+(** [one_of perhaps tree] is [tree], or perhaps one of the others. *)
+
+val judged : t -> Zone.t -> met list
+(** What becomes of a zone at this instant. *)
 
 val after_time : t -> Linear.t -> Chance_tree.tree -> Chance_tree.tree
 (** [after_time t time tree] is what follows if [tree] comes after this time: with the gain, if it counts. *)
@@ -67,11 +73,11 @@ val depends_on_instants : t -> bool
 val at_dead_end : t -> Chance_tree.tree
 (** What follows states from which nothing can come. *)
 
-val along : t -> Zone.t -> Passing.due First.cell -> (Polyhedron.t * Chance_tree.tree option) list
-(** [along t z cell] divides the region of the cell in the same way, by what passes by before its next event.
+val along : t -> Zone.t -> Passing.due First.cell -> met list
+(** [along t z cell] is what becomes of the region of the cell, by what passes by before its next event.
     For a mean time a region has the time at which g begins to hold, and for a number at a time its value there. *)
 
 val along_until_stop :
-  t -> Zone.t -> Passing.due First.cell -> Zone.t -> (Polyhedron.t * Chance_tree.tree option) list
-(** [along_until_stop t z cell halted] divides in the same way the zone [halted] ({!Passing.within}), by what
-    passes by until time stops. *)
+  t -> Zone.t -> Passing.due First.cell -> Zone.t -> met list
+(** [along_until_stop t z cell halted] is what becomes of the zone [halted] ({!Passing.within}), by what passes by
+    until time stops. *)

@@ -105,14 +105,17 @@ let is_step_end : Passing.due -> bool = function
   | Contact _ | Expiry _ | Split_instant _ | Lots -> false
 
 let pass t next z (cell : Passing.due First.cell) =
-  let on (region, met) =
-    match (met, cell.time) with
-    | Some tree, _ -> (region, tree)
-    | None, None -> (region, Lost)
-    | None, Some time ->
-      let layer = if List.exists is_step_end cell.due then next.after_step else next.within in
-      let tree = go t layer (Passing.until t.context z { cell with region }) in
-      (region, Chance_claims.after_time t.claims time tree)
+  let on ({ region; perhaps; met } : Chance_claims.met) =
+    let tree =
+      match (met, cell.time) with
+      | Some tree, _ -> tree
+      | None, None -> Lost
+      | None, Some time ->
+        let layer = if List.exists is_step_end cell.due then next.after_step else next.within in
+        let tree = go t layer (Passing.until t.context z { cell with region }) in
+        Chance_claims.after_time t.claims time tree
+    in
+    (region, Chance_claims.one_of perhaps tree)
   in
   cells (List.map on (Chance_claims.along t.claims z cell))
 
@@ -129,7 +132,10 @@ let stop t next z (cell : Passing.due First.cell) =
     in
     List.concat_map of_region (Instant.cells t.context halted)
   in
-  let on (region, met) = match met with Some tree -> [ (region, tree) ] | None -> splits region in
+  let on ({ region; perhaps; met } : Chance_claims.met) =
+    let ways = match met with Some tree -> [ (region, tree) ] | None -> splits region in
+    List.map (fun (set, tree) -> (set, Chance_claims.one_of perhaps tree)) ways
+  in
   t.chain <- false;
   let ways = List.concat_map on (Chance_claims.along_until_stop t.claims z cell halted) in
   List.map (fun (set, tree) -> Stopping (set, tree)) ways
@@ -187,12 +193,15 @@ let expand t limits next ~depth (z : Zone.t) =
     t.met <- { t.met with too_late = true };
     (region, Open)
   in
-  let on (region, known) =
-    match known with
-    | Some tree -> [ (region, tree) ]
-    | None ->
-      let timely, late = Chance_claims.not_after_time limits.horizon z region in
-      List.map further timely @ List.map beyond late
+  let on ({ region; perhaps; met } : Chance_claims.met) =
+    let ways =
+      match met with
+      | Some tree -> [ (region, tree) ]
+      | None ->
+        let timely, late = Chance_claims.not_after_time limits.horizon z region in
+        List.map further timely @ List.map beyond late
+    in
+    List.map (fun (set, tree) -> (set, Chance_claims.one_of perhaps tree)) ways
   in
   cells (List.concat_map on (Chance_claims.judged t.claims z))
 

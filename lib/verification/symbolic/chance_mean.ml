@@ -41,6 +41,9 @@ let rec of_tree space mode ends ~within tree =
       match mode.unknown with
       | `Least -> Affine.constant space (Option.value ends.won ~default:zero)
       | `Greatest -> Affine.constant space ends.unknown)
+  | Perhaps trees ->
+    let choose = match mode.unknown with `Least -> Affine.least space | `Greatest -> Affine.greatest space in
+    List.fold_left (fun f tree -> choose f (of_ ~within tree)) (Affine.nowhere space) trees
   | Is form -> Affine.constant space (Finite form)
   | Gain { least; most; tree } ->
     let gain = match mode.unknown with `Least -> least | `Greatest -> most in

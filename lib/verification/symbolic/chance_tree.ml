@@ -9,6 +9,7 @@ type tree =
   | Won
   | Lost
   | Open  (** not known *)
+  | Perhaps of tree list  (** one of these, and it is not known which *)
   | Is of Linear.t  (** the value of a number *)
   | Gain of { least : Linear.t; most : Linear.t; tree : tree }
   (** the time until what follows, or how many happenings lead there: at least and at most *)

@@ -36,6 +36,10 @@ let rec of_tree space mode ~within tree =
   | Won -> constant Rat.one Rat.one
   | Lost -> constant Rat.zero Rat.zero
   | Open -> constant Rat.zero Rat.one
+  | Perhaps trees ->
+    let values = List.map (of_ ~within) trees in
+    let by choose = List.fold_left (choose space) (Piecewise.nowhere space) values in
+    Piecewise.ends space (by Piecewise.least) (by Piecewise.greatest)
   | Is _ | Gain _ -> Scc_base.Bug.fail __POS__ "a probability of a mean"
   | Cells all -> of_cells space mode ~within all
   | Drawn ways -> (
