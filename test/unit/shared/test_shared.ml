@@ -155,9 +155,11 @@ let states () =
   List.iteri look [ (0, 0); (0, 1); (1, 0); (most, 0); (0, most); (most, most) ]
 
 let timed what work =
-  let start = Unix.gettimeofday () in
+  let start = Unix.gettimeofday () and before = Unix.times () in
   work ();
-  Printf.printf "%s: %.2f s\n%!" what (Unix.gettimeofday () -. start)
+  let after = Unix.times () in
+  let worked = after.tms_cutime +. after.tms_cstime -. before.tms_cutime -. before.tms_cstime in
+  Printf.printf "%s: %.2f s, %.2f s of processors\n%!" what (Unix.gettimeofday () -. start) worked
 
 let compare_speeds count =
   let run processes_ =
