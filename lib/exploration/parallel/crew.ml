@@ -100,8 +100,9 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   (* So many that wait, but for the one whose turn it is. *)
   let take c count =
+    let beyond = c.unasked + waiting c in
     let rec from found chosen =
-      if found = count || waiting c = 0 then Array.of_list (List.rev chosen)
+      if found = count || c.unasked = beyond then Array.of_list (List.rev chosen)
       else begin
         let i = c.unasked in
         c.unasked <- i + 1;

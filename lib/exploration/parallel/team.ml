@@ -57,8 +57,10 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   (** {2 Workers} *)
 
+  (* One piece of memory: the system copies what it knows of each piece for each process. *)
   let make_slots count =
-    Scc_shared.Shared_memory.(all (List.init count (fun _ -> numbers slot_length)))
+    let slots memory = List.init count (fun k -> Bigarray.Array1.sub memory (k * slot_length) slot_length) in
+    Option.map slots (Scc_shared.Shared_memory.numbers (count * slot_length))
 
   (* Where the system gives no memory or no process there are fewer. *)
   let new_worker c =

@@ -9,12 +9,14 @@ module Make (L : Lts.S) = struct
     if at >= Array1.dim words then raise Too_long;
     Array1.unsafe_set words at word
 
-  (* As {!Explore} does it itself, by what is known of the target now. *)
+  (* As {!Explore} does it itself, by what is known of the target now. A state has its number before anything is
+     noted of it: then the process that has given it looks at the edge. *)
   let[@inline] is_plain g s i label target =
-    let depth = Shared_states.depth s i + transitions_of g label in
-    Shared_states.arrival s target = Shared_states.arrival s i
+    let own = Shared_states.noted s i and there = Shared_states.noted s target in
+    (not (Shared_states.is_nothing there))
+    && Shared_states.arrival_of there = Shared_states.arrival_of own
     &&
-    let known = Shared_states.depth s target in
+    let depth = Shared_states.depth_of own + transitions_of g label and known = Shared_states.depth_of there in
     known = depth || (known < depth && takes_time g label)
 
   (* A brief list leaves out edges of labels that are known, if they change nothing. *)

@@ -225,10 +225,13 @@ module Make (L : Lts.S) = struct
       None
     | Queued, None -> expand g limits around visitor expander i
 
-  let waits g limits visitor i =
-    match status g i with
-    | Queued -> Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i)
-    | Expanded | Unexpanded _ -> false
+  (* By steps, a state before one that has had its turn has been taken up again: it comes after later ones, while
+     others go by the numbers. *)
+  let waits g limits visitor furthest i =
+    match (status g i, g.order) with
+    | Queued, By_steps when i < !furthest -> false
+    | Queued, _ -> Option.is_none (out_of_bounds g limits i) && visitor.matters (arrival g i)
+    | (Expanded | Unexpanded _), _ -> false
 
   let room g (limits : Limits.t) () =
     match limits.states with None -> max_int | Some n -> Int.max 0 (n - size g)
@@ -251,7 +254,8 @@ module Make (L : Lts.S) = struct
     let whole = Tuples.difference (Array.map (fun _ -> -1) first) first in
     let i = Tuples.intern g.tuples ~near:g.near whole in
     let all_edges = keep_edges || Option.is_some visitor.opened in
-    let waits = waits g limits visitor and room = room g limits in
+    let furthest = ref (-1) in
+    let waits = waits g limits visitor furthest and room = room g limits in
     let expander = expanding g ~all_edges ~waits ~room ~dull:visitor.dull in
     (* What ends the exploration, at this state or before it. *)
     let look round i =
@@ -272,6 +276,7 @@ module Make (L : Lts.S) = struct
       match Frontier.take g.frontier with
       | None -> ()
       | Some i -> (
+          furthest := Int.max !furthest i;
           match look round i with
           | Some reason -> give_up g i reason
           | None -> loop (round + 1))

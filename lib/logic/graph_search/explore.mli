@@ -95,9 +95,9 @@ module Make (L : Lts.S) : sig
   type expanding =
     t -> all_edges:bool -> waits:(int -> bool) -> room:(unit -> int) -> dull:(int array -> bool) -> expander
   (** The expander of an exploration that begins. With [all_edges] all edges are kept or visited, also those that
-      change nothing. [waits i] is true if state [i] is queued and within the bounds at present. [room ()] is how
-      many states there may come to be, by the bound on states; [max_int] without one. [dull] is that of the
-      visitor. *)
+      change nothing. [waits i] is true if state [i] is queued and within the bounds at present, and has not been
+      taken up again by steps. [room ()] is how many states there may come to be, by the bound on states;
+      [max_int] without one. [dull] is that of the visitor. *)
 
   val here : expanding
   (** The expander that calls {!successors} in this process. *)

@@ -10,11 +10,21 @@ val put : t -> int -> depth:int -> arrival:int -> unit
 (** [put t i ~depth ~arrival] notes the depth of state [i] and the number of its earliest arrival, each at least
     0 and below 2{^31}. It raises {!Limits.Over} if there is no more memory. *)
 
-val depth : t -> int -> int
-(** [depth t i] is the depth of state [i] that was noted last. *)
+type noted = private int
+(** The depth and the arrival of a state, as they were noted at one instant; or nothing. *)
 
-val arrival : t -> int -> int
-(** [arrival t i] is the number of the arrival of state [i] that was noted last. *)
+val noted : t -> int -> noted
+(** [noted t i] is what was noted of state [i] last. A process may come to know the number of a state before
+    anything is noted of it. *)
+
+val is_nothing : noted -> bool
+(** [is_nothing n] is true if nothing was noted as yet. *)
+
+val depth_of : noted -> int
+(** [depth_of n] is the depth of a state of which something was noted. *)
+
+val arrival_of : noted -> int
+(** [arrival_of n] is the number of the arrival of a state of which something was noted. *)
 
 val version : t -> int
 (** [version t] changes with each {!improved}. *)

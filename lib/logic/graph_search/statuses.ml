@@ -110,7 +110,10 @@ let set s i status =
 let count s reason = s.counts.(Char.code (mark (Unexpanded reason)))
 
 (* The reasons have the ten digits. *)
-let unexpanded s = Array.fold_left ( + ) 0 (Array.sub s.counts (Char.code '0') 10)
+let unexpanded s =
+  let rec from k sum = if k > Char.code '9' then sum else from (k + 1) (sum + Array.unsafe_get s.counts k) in
+  from (Char.code '0') 0
+
 let is_expanded s i = match mark_at s i with 'e' | 't' | 'r' -> true | _ -> false
 
 let note_timed s i = put s i 't'

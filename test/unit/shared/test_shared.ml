@@ -130,10 +130,36 @@ let texts () =
     Alcotest.(check string) "the text" (text k) !read
   done
 
+(* What is noted of a state, the least and the greatest, and nothing before; what was told of an edge from it. *)
+let states () =
+  let s = get (Shared_states.create ()) in
+  let most = (1 lsl 31) - 1 in
+  let look i (depth, arrival) =
+    Alcotest.(check bool) "nothing as yet" true (Shared_states.is_nothing (Shared_states.noted s i));
+    Shared_states.put s i ~depth ~arrival;
+    let noted = Shared_states.noted s i in
+    Alcotest.(check bool) "something" false (Shared_states.is_nothing noted);
+    let read = (Shared_states.depth_of noted, Shared_states.arrival_of noted) in
+    Alcotest.(check (pair int int)) "it" (depth, arrival) read;
+    let key = 1000 + i in
+    let has_told () = Shared_states.has_told s key ~from:i ~way:(-1) in
+    Alcotest.(check (pair int bool)) "not told" (-1, false) (Shared_states.flags s key, has_told ());
+    Shared_states.tell s key 5 ~from:i ~way:(-1) ~told:false;
+    Alcotest.(check (pair int bool)) "not to be relied on" (5, false) (Shared_states.flags s key, has_told ());
+    Shared_states.tell s key 6 ~from:i ~way:(-1) ~told:true;
+    Alcotest.(check (pair int bool)) "told" (6, true) (Shared_states.flags s key, has_told ());
+    Alcotest.(check bool) "another way" false (Shared_states.has_told s key ~from:i ~way:7);
+    Shared_states.improved s;
+    Alcotest.(check bool) "something has improved" false (has_told ())
+  in
+  List.iteri look [ (0, 0); (0, 1); (1, 0); (most, 0); (0, most); (most, most) ]
+
 let timed what work =
-  let start = Unix.gettimeofday () in
+  let start = Unix.gettimeofday () and before = Unix.times () in
   work ();
-  Printf.printf "%s: %.2f s\n%!" what (Unix.gettimeofday () -. start)
+  let after = Unix.times () in
+  let worked = after.tms_cutime +. after.tms_cstime -. before.tms_cutime -. before.tms_cstime in
+  Printf.printf "%s: %.2f s, %.2f s of processors\n%!" what (Unix.gettimeofday () -. start) worked
 
 let compare_speeds count =
   let run processes_ =
@@ -158,5 +184,6 @@ let () =
             Alcotest.test_case "of pairs" `Quick one_table;
             Alcotest.test_case "after processes were killed" `Quick killed;
             Alcotest.test_case "of texts" `Quick texts;
+            Alcotest.test_case "of states" `Quick states;
           ] );
       ]
