@@ -31,6 +31,21 @@ let phases timeline =
   in
   { surely; perhaps; why }
 
+let is_in_time within ~arrival (moment : Timeline.moment) =
+  match within with
+  | None -> true
+  | Some bound ->
+    let c = Algebraic.compare_rat moment.offset (Rat.sub bound arrival) in
+    if moment.attained then c <= 0 else c < 0
+
+let sample_in_time within ~arrival (moment : Timeline.moment) sample =
+  match within with
+  | None -> sample
+  | Some bound ->
+    let left = Rat.sub bound arrival in
+    if Algebraic.compare_rat sample left <= 0 then sample
+    else Algebraic.of_rat (Algebraic.between moment.offset (Algebraic.of_rat left))
+
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   type question = { within : Rat.t option; goal : predicate }
 
@@ -101,12 +116,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   (** {2 Meeting the goal} *)
 
   (* Whether a moment after the arrival in a state counts. *)
-  let in_time m g i (moment : Timeline.moment) =
-    match m.question.within with
-    | None -> true
-    | Some bound ->
-      let c = Algebraic.compare_rat moment.offset (Rat.sub bound (Graph.arrival g i)) in
-      if moment.attained then c <= 0 else c < 0
+  let in_time m g i = is_in_time m.question.within ~arrival:(Graph.arrival g i)
 
   let arrives_in_time m g i =
     match m.question.within with
@@ -198,15 +208,6 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | None -> Timeline.Forever
     | Some k -> Timeline.Lasts (Graph.duration g (Graph.edges g i).(k))
 
-  (* The sample of an open piece that goes on beyond the bound may have to be taken earlier. *)
-  let before_bound m g i (moment : Timeline.moment) sample =
-    match m.question.within with
-    | None -> sample
-    | Some bound ->
-      let left = Rat.sub bound (Graph.arrival g i) in
-      if Algebraic.compare_rat sample left <= 0 then sample
-      else Algebraic.of_rat (Algebraic.between moment.offset (Algebraic.of_rat left))
-
   let trace_to m g (i, choice, moment) =
     let finish =
       match moment with
@@ -214,7 +215,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
       | Some moment ->
         let timeline = along m (Graph.tuple g i) (extent_of g i choice) in
         let sample = Timeline.sample timeline moment in
-        During { choice; moment; sample = before_bound m g i moment sample }
+        let arrival = Graph.arrival g i in
+        During { choice; moment; sample = sample_in_time m.question.within ~arrival moment sample }
     in
     { steps = path_for m g i; last = i; finish }
 

@@ -1,10 +1,13 @@
 (** What follows the states of an owner: its own states are entered, and those of others are sent to them. *)
 
+open Scc_ctl
+
 (** What is to be told of a state beside its targets. *)
 type note =
   | Fault of string  (** its transitions cannot be computed *)
   | End of string  (** it is a dead end, where the model is given up *)
-  | Ahead of { goal : int; sure : bool }  (** the goal holds, or may hold, before the next state *)
+  | Ahead of { goal : int; met : Timeline.moment option; doubtful : Timeline.moment option }
+  (** when the goal holds after the state and before the next one, and when it may hold *)
 
 type t
 

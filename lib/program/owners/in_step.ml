@@ -46,7 +46,7 @@ let note x owner id rank (note : Expansion.note) =
   match note with
   | Fault text -> if not (Hashtbl.mem x.faults text) then Hashtbl.add x.faults text rank
   | End text -> Hashtbl.replace x.ends text ()
-  | Ahead { goal; sure } -> at (if sure then x.ahead else x.doubtful) goal
+  | Ahead { goal; met; _ } -> at (if Option.is_some met then x.ahead else x.doubtful) goal
 
 let expand s (p : Progress.t) =
   let order = Levels.by_rank s.levels p.level in
@@ -118,48 +118,21 @@ let summary s (p : Progress.t) x fresh : Summary.t =
     ends = Hashtbl.fold (fun text () all -> if List.mem text p.ends then all else text :: all) x.ends [];
   }
 
-let written put =
-  let b = Buffer.create 256 in
-  put b;
-  Buffer.contents b
-
-let reading owner text read =
-  match read (Packed.source text) with
-  | x -> x
-  | exception (Packed.Malformed what | Invalid_argument what) ->
-    Failure.refused "owner %d: %s" (owner + 1) what
-
 (* The summaries of all, and the ranks of the new states of this one, in order. *)
 let agree s (p : Progress.t) summary fresh =
-  let count = Mesh.count s.mesh and width = p.width in
-  let before k = (Part.way s.part fresh.(k)).before in
   let keys k =
     let way = Part.way s.part fresh.(k) in
     (way.before, way.choice)
   in
-  let segment = Ranking.segments ~width ~count ~length:(Array.length fresh) ~before in
-  let tell owner =
-    let from, stop = segment owner in
-    written (fun b ->
-        Summary.put b summary;
-        Ranking.put_keys b ~keys ~from ~stop)
+  let read source =
+    let summary = Summary.read source in
+    if Array.length summary.met <> Array.length p.met then raise (Packed.Malformed "it has other goals");
+    summary
   in
-  let low = Ranking.first ~width ~count (me s) and high = Ranking.first ~width ~count (me s + 1) in
-  let read owner text =
-    reading owner text (fun source ->
-        let summary = Summary.read source in
-        if Array.length summary.met <> Array.length p.met then raise (Packed.Malformed "it has other goals");
-        (summary, Ranking.read_keys source ~low ~high))
+  let told, ranks =
+    Ranking.agree s.mesh ~width:p.width ~length:(Array.length fresh) ~keys ~mine:summary ~put:Summary.put ~read
   in
-  let told = Array.mapi read (Mesh.gather s.mesh tell) in
-  let total, ranks = Ranking.rank ~low ~high (Array.map snd told) in
-  let answer owner = written (fun b -> Ranking.put_ranks b ~total ranks.(owner)) in
-  let texts = Mesh.gather s.mesh answer in
-  (Summary.merge (Array.map fst told), reading (me s) "" (fun _ -> Ranking.read_ranks texts ~segment))
-
-let agree s (p : Progress.t) summary fresh =
-  if Mesh.count s.mesh > 1 then agree s p summary fresh
-  else (summary, Array.init (Array.length fresh) Fun.id)
+  (Summary.merge told, ranks)
 
 (* {1 Where it ends} *)
 
@@ -235,7 +208,7 @@ let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
     width = all.fresh;
     states = p.states + new_states;
     transitions = p.transitions + transitions;
-    met; stop;
+    met; stop; open_ = None;
     doubts = doubts p all (within bound);
     faults = add p.faults (List.map fst faults);
     ends = add p.ends all.ends;
@@ -281,7 +254,7 @@ let begin_ s ~home =
   if home = me s then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~sender:home ~before:0 ~choice:0);
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~sender:home ~before:0 ~choice:0);
     ignore (Part.hits s.part)
   end;
   Part.close s.part;
@@ -294,7 +267,7 @@ let begin_ s ~home =
     {
       level = 0; depth = 0; width = 1; states = 1; transitions = 0; met;
       doubts = Array.map is_open initial.goals;
-      stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long;
+      open_ = None; stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long;
     }
   in
   { p with stop = (if decided s met then Some Early else None) }

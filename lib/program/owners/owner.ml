@@ -123,11 +123,13 @@ let restored o =
   Option.iter goal_found progress;
   progress
 
+let most_states o = Option.value o.begun.states ~default:max_int
+
 let in_step o mesh expansion =
   let settings : In_step.settings =
     {
       searches = searches (Filter.question (Part.filter o.part));
-      most_states = Option.value o.begun.states ~default:max_int;
+      most_states = most_states o;
       most_levels;
       every = Option.map (fun ms -> float_of_int ms /. 1000.) o.begun.every;
     }
@@ -138,17 +140,30 @@ let in_step o mesh expansion =
   let s = In_step.make o.part mesh expansion o.levels settings calls in
   In_step.run s (match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home)
 
+let by_time o mesh expansion clock =
+  let question = Filter.question (Part.filter o.part) in
+  let settings : By_time.settings =
+    {
+      searches = searches question;
+      within = Array.map (fun (g : Question.goal) -> g.within) question.goals;
+      horizon = Question.horizon question;
+      most_states = most_states o;
+      most_rounds = most_levels;
+    }
+  in
+  By_time.run (By_time.make o.part clock mesh expansion settings ~show:(show o)) ~home:o.home
+
 let explore o mesh =
   let expansion = Expansion.make o.part mesh o.records ~sent:(Sent.create ~bytes:sent_bytes) in
   let p =
-    if o.begun.any_order then begin
+    match (o.begun.order, Part.clock o.part) with
+    | Any, _ ->
       let searches = searches (Filter.question (Part.filter o.part)) in
-      let most_states = Option.value o.begun.states ~default:max_int in
-      let free = Free.make o.part mesh expansion ~searches ~most_states ~show:(show o) in
+      let free = Free.make o.part mesh expansion ~searches ~most_states:(most_states o) ~show:(show o) in
       o.free <- Some free;
       Free.run free ~home:o.home
-    end
-    else in_step o mesh expansion
+    | _, Some clock -> by_time o mesh expansion clock
+    | (Levels | Time), None -> in_step o mesh expansion
   in
   o.telling <- true;
   if o.place.number > 0 then Mesh.let_go mesh;
@@ -167,7 +182,12 @@ let work o self ~listener =
   let seconds = float_of_int o.begun.deadline /. 1000. in
   let links = Meeting.meet self ~listener ~peers:o.begun.peers ~seconds in
   let mesh = Mesh.make ~number:o.place.number ~links ~each:(hear_peer o) ~from_parent:(hear_parent o) in
-  let find ~level before = if o.begun.any_order then Some before else Levels.find o.levels level before in
+  let find ~level before =
+    match (o.begun.order, Part.clock o.part) with
+    | Any, _ -> Some before
+    | _, Some clock -> Clock.find clock before
+    | (Levels | Time), None -> Levels.find o.levels level before
+  in
   let trace = Trace.make mesh o.part ~find ~is_root:(fun id -> id = 0 && o.home = o.place.number) in
   o.trace <- Some trace;
   try tell o mesh trace (explore o mesh) with Over -> ()
@@ -179,13 +199,14 @@ let run filter place ~listener ~program ~identity =
   | Some line ->
     let begun = Said.read_begin ~count:place.count line in
     let states = Option.fold ~none:"" ~some:string_of_int begun.states in
-    let identity = String.concat "\n" [ identity; begun.run; states; string_of_bool begun.any_order ] in
+    let identity = String.concat "\n" [ identity; begun.run; states; Said.order_name begun.order ] in
     let self : Greeting.self =
       { number = place.number; count = place.count; program; secret = begun.secret; identity }
     in
     let spill folder mib = Scc_data.Spill.to_folder folder ~beyond:(mib lsl 20) in
     ignore (Option.map2 spill begun.folder begun.memory);
-    let part = Part.make filter in
+    let clock = match begun.order with Time -> Some (Clock.make ()) | Levels | Any -> None in
+    let part = Part.make ?clock filter in
     let o =
       {
         place; begun; part; parent;

@@ -15,8 +15,11 @@ type way = {
 (** A goal that holds in a new state, for certain or perhaps. *)
 type hit = { id : int; goal : int; sure : bool }
 
-val make : Scc_successors.Filter.t -> t
-(** No states yet. *)
+val make : ?clock:Clock.t -> Scc_successors.Filter.t -> t
+(** No states yet. With [clock] it matters when states are reached. *)
+
+val clock : t -> Clock.t option
+(** The clock of {!make}. *)
 
 val filter : t -> Scc_successors.Filter.t
 (** The exploration that the states belong to. *)
@@ -27,20 +30,33 @@ val table : t -> Tuples.t
 val size : t -> int
 (** The number of states. *)
 
-val enter : t -> near:Tuples.spread -> Tuples.changes -> int array -> sender:int -> before:int -> choice:int -> int
-(** [enter p ~near changes target ~sender ~before ~choice] is the number of the state [target], which differs by
-    the changes from the one that is loaded in [near]. It is inserted if it is new. If it is not, but has come
+val enter :
+  t ->
+  near:Tuples.spread ->
+  Tuples.changes ->
+  int array ->
+  time:int ->
+  sender:int ->
+  before:int ->
+  choice:int ->
+  int
+(** [enter p ~near changes target ~time ~sender ~before ~choice] is the number of the state [target], which differs
+    by the changes from the one that is loaded in [near]. It is inserted if it is new. If it is not, but has come
     since {!close} was called, the way with the least [before] counts, and of several of these the one with the
-    least [choice]. *)
+    least [choice]. With a clock, [time] is the number of the time at which it is reached by this way. The earliest
+    way counts, and of those of one round that are as early the first. *)
 
 val close : t -> unit
 (** The ways of all states that are there are final. *)
 
-val enter_prepared : t -> int -> int array -> sender:int -> before:int -> choice:int -> unit
-(** [enter_prepared p n target ~sender ~before ~choice] is {!enter} for the [n]-th tuple of a round of {!table}. *)
+val enter_prepared : t -> int -> int array -> time:int -> sender:int -> before:int -> choice:int -> unit
+(** [enter_prepared p n target ~time ~sender ~before ~choice] is {!enter} for the [n]-th tuple of a round of {!table}. *)
 
-val again : t -> int -> sender:int -> before:int -> choice:int -> unit
-(** [again p id ~sender ~before ~choice] is {!enter} for a state that is known to be there, with that number. *)
+val look_again : t -> int -> unit
+(** The goals that hold in a state are among the next {!hits} again. *)
+
+val again : t -> int -> time:int -> sender:int -> before:int -> choice:int -> unit
+(** [again p id ~time ~sender ~before ~choice] is {!enter} for a state that is known to be there, with that number. *)
 
 val way : t -> int -> way
 (** How a state was first found. *)

@@ -2,7 +2,7 @@ open Scc_codec
 
 type event = { rank : int; ahead : bool; choice : int; owner : int; id : int }
 type place = { level : int; owner : int; id : int }
-type stop = Early | States | Levels
+type stop = Early | States | Levels | Late
 
 type t = {
   level : int;
@@ -12,13 +12,14 @@ type t = {
   transitions : int;
   met : place option array;
   doubts : bool array;
+  open_ : bool array option;
   stop : stop option;
   faults : string list;
   ends : string list;
   too_long : int;
 }
 
-let stops = [ ("early", Early); ("states", States); ("levels", Levels) ]
+let stops = [ ("early", Early); ("states", States); ("levels", Levels); ("late", Late) ]
 let stop_name s = fst (List.find (fun (_, x) -> x = s) stops)
 
 let compare_events (a : event) (b : event) =
@@ -74,4 +75,4 @@ let read s =
   let doubts = Array.of_list (Packed.list s read_bool) in
   let faults = Packed.list s Packed.text in
   let ends = Packed.list s Packed.text in
-  { level; depth; width; states; transitions; met; doubts; stop = None; faults; ends; too_long }
+  { level; depth; width; states; transitions; met; doubts; open_ = None; stop = None; faults; ends; too_long }

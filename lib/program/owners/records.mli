@@ -9,8 +9,9 @@ type t
 val make : Part.t -> t
 (** A connection over which nothing has been sent. *)
 
-val put : t -> before:int -> choice:int -> int array -> unit
-(** [put r ~before ~choice state] adds a state of the other owner to the text that is to be sent. *)
+val put : t -> time:int -> before:int -> choice:int -> int array -> unit
+(** [put r ~time ~before ~choice state] adds a state of the other owner to the text that is to be sent. [time] is as
+    for {!Part.enter}. *)
 
 val size : t -> int
 (** The length of the text that is to be sent. *)

@@ -1,11 +1,18 @@
 (** What an owner and the process that has started it say to each other ([specs/successors.md]): lines of JSON. *)
 
+(** How states are taken: level by level ({!In_step}), in the order of time ({!By_time}), or as they come
+    ({!Free}). *)
+type order = Levels | Time | Any
+
+val order_name : order -> string
+(** The order in a word. *)
+
 (** The first line of the input: with whom it explores, and how. *)
 type begin_ = {
   peers : (string * int) list;  (** host and port of each owner *)
   secret : string;
   run : string;  (** any text; that of other owners must be the same *)
-  any_order : bool;
+  order : order;
   states : int option;  (** the most *)
   deadline : int;  (** milliseconds within which all owners have to come *)
   every : int option;  (** milliseconds between levels that are kept *)

@@ -214,7 +214,7 @@ let header =
        field "exploration" Shared.from_one (question (fun q -> q.number));
        field "explorations" Shared.from_one (question (fun q -> q.count));
        field "horizon" maybe_number
-         (question (fun q -> Scc_verify.Joint_check.horizon q.exploration.members));
+         (question Question.horizon);
        field "left_out" Shared.texts (question (fun q -> q.exploration.left_out));
        field "checks" (list check) (question (fun q -> List.map (fun c -> (q, c)) q.plans));
        field "goals" (list goal) goals;

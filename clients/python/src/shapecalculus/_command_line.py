@@ -78,9 +78,15 @@ def parser() -> argparse.ArgumentParser:
     )
     p.add_argument(
         "--order",
-        choices=["levels", "any"],
+        choices=["levels", "time", "any"],
         default="levels",
-        help="any: owners do not wait for each other; runs need not be the shortest, and nothing is kept",
+        help="time: by the times at which states are reached; any: owners do not wait for each other, and runs need not be the shortest. Only levels are kept",
+    )
+    p.add_argument(
+        "--memory",
+        type=positive(int),
+        metavar="MIB",
+        help="so much of each owner's tables is in memory, and the rest in files",
     )
     p.add_argument("--no-reduce", action="append", default=[], metavar="NAME,...")
     p.add_argument("--witness", metavar="FOLDER", help="write the schedule of each run that shows something")

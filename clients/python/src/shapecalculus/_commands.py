@@ -110,6 +110,7 @@ def check(given: Any, out: Write) -> int:
         deadline=given.deadline,
         searches=given.searches,
         order=given.order,
+        memory=given.memory,
         scc=given.scc,
         progress=shown(time.time()),
     )

@@ -43,7 +43,7 @@ LOST = "its run could not be rebuilt, as scc was lost: "
 
 
 class NotServed(ClusterFailed):
-    """A property that is not decided by a search without a bound of time."""
+    """A property that is not decided by searches for states."""
 
     def __init__(self, message: str):
         super().__init__(message, 64)
@@ -62,7 +62,7 @@ class Verdict:
 class Report:
     states: int = 0
     transitions: int = 0
-    depth: Optional[int] = 0  #: None if owners go in any order
+    depth: Optional[int] = 0  #: None if owners go in any order, or in that of time
     complete: bool = True
     properties: List[Verdict] = field(default_factory=list)
     dead_ends: List[str] = field(default_factory=list)
@@ -105,7 +105,7 @@ def verdict(plan: Any, p: Progress) -> str:
         return result
     if of in p.runs:
         return "holds" if kind == "possibly" else "violated"
-    if p.complete and of not in p.doubts:
+    if of not in p.open and of not in p.doubts:
         return "violated" if kind == "possibly" else "holds"
     bounded = of not in p.doubts and not p.faults and p.stopped != "levels"
     return "holds-up-to-bound" if kind == "always" and bounded else "undecided"
@@ -122,25 +122,26 @@ def goal_shown(plan: Any, p: Progress) -> Optional[int]:
 # Checks -------------------------------------------------------------------------------
 
 
-def goals_of(plan: Any) -> List[int]:
-    ((kind, of),) = plan.items()
-    if kind in ("all", "any"):
-        return [goal for part in of for goal in goals_of(part)]
-    return [of] if kind in ("possibly", "always") else []
+def has_bounds(header: Any) -> bool:
+    """Whether it matters when states are reached."""
+    return header["horizon"] is not None or any(goal["within"] is not None for goal in header["goals"])
 
 
-def served(header: Any, searches: bool) -> None:
-    def has_bound(c: Any) -> bool:
-        if c["plan"] is None:
-            return header["horizon"] is not None
-        return any(header["goals"][goal]["within"] is not None for goal in goals_of(c["plan"]))
+#: What is served of bounds of time, and where not.
+BOUNDS = "%s: bounds of time need the order of time, and not --order any"
 
-    timed = ", ".join("`%s`" % c["name"] for c in header["checks"] if has_bound(c))
-    if timed:
-        raise NotServed("a search by levels knows nothing of bounds of time, as of %s: ask scc check" % timed)
-    other = [c["name"] for c in header["checks"] if c["plan"] is None]
+
+def served(header: Any, searches: bool, order: str) -> None:
+    other = ["`%s`" % c["name"] for c in header["checks"] if c["plan"] is None and not c["premise"]]
     if other and not searches:
-        raise NotServed("`%s` is more than a search for a state: ask scc check, or for searches alone" % other[0])
+        are = "is more than a search" if len(other) == 1 else "are more than searches"
+        raise NotServed(
+            "%s %s for a state (operators of time within others, or probabilities): `scc check` decides this; "
+            "with --searches all else is decided here" % (", ".join(other), are)
+        )
+    if order == "any" and has_bounds(header):
+        names = ", ".join("`%s`" % c["name"] for c in header["checks"] if not c["premise"])
+        raise NotServed(BOUNDS % names)
 
 
 def arguments_of(defines: Dict[str, str], checks: Sequence[str], options: Sequence[str]) -> List[str]:
@@ -161,6 +162,7 @@ def check(
     deadline: float = 60,
     searches: bool = False,
     order: str = "levels",
+    memory: Optional[int] = None,
     scc: Optional[str] = None,
     progress: Optional[Callable[[Progress], None]] = None,
     disturb: Optional[Callable[[Any], None]] = None,
@@ -171,17 +173,20 @@ def check(
     states (by default one for each processor). Shards are kept in the folder ``checkpoint`` about once a second (a
     path that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
-    that are more than a search are left undecided, and not refused. ``order``: "levels", or "any", with which owners do
-    not wait for each other, runs need not be the shortest, and nothing is kept. ``options`` go to ``scc successors``; ``disturb``
+    that are more than a search are left undecided, and not refused. ``order``: "levels"; "time", in which states are
+    taken in the order of the times at which they are reached, as by ``scc check --shortest time``; or "any", with which
+    owners do not wait for each other, and runs need not be the shortest. Where a property has a bound of time, "levels"
+    is "time". Levels alone are kept. ``memory``: MiB that each owner takes for its tables, beyond which they are in files.
+    ``options`` go to ``scc successors``; ``disturb``
     is called with each exploration once its owners are there (for tests)."""
     if model == "-":
         raise ClusterFailed(MANY, USAGE)
-    if order == "any" and checkpoint is not None:
-        raise ClusterFailed("with --order any nothing is kept: --checkpoint needs --order levels", USAGE)
+    if order != "levels" and checkpoint is not None:
+        raise ClusterFailed("with --order %s nothing is kept: --checkpoint needs --order levels" % order, USAGE)
     given = arguments_of(defines or {}, checks, options)
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
-        numbers = explorations(model, given, searches, scc)
+        numbers = explorations(model, given, searches, order, scc)
         base = checkpoint or (scratch if address is None else None)
         folders: Dict[int, Optional[Folder]] = dict.fromkeys(numbers)
         if base is not None:
@@ -193,18 +198,18 @@ def check(
         for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
             here = address is None
-            explored(ray, model, of_this, scc, owners, folder, states, order, here, progress, disturb, report)
+            explored(ray, model, of_this, scc, owners, folder, states, order, memory, here, progress, disturb, report)
     return report
 
 
-def explorations(model: str, given: List[str], searches: bool, scc: Optional[str]) -> List[int]:
+def explorations(model: str, given: List[str], searches: bool, order: str, scc: Optional[str]) -> List[int]:
     """Their numbers. All are looked at before anything is explored."""
     count, number = 1, 0
     while number < count:
         number += 1
         f = Filter(model, given + ["--exploration", str(number)], scc=scc)
         f.close()
-        served(f.header, searches)
+        served(f.header, searches, order)
         count = f.header["explorations"]
     return list(range(1, count + 1))
 
@@ -218,6 +223,7 @@ def explored(
     folder: Optional[Folder],
     states: int,
     order: str,
+    memory: Optional[int],
     here: bool,
     progress: Optional[Callable[[Progress], None]],
     disturb: Optional[Callable[[Any], None]],
@@ -227,14 +233,21 @@ def explored(
     lines.close()  # until there are runs to be shown
     header = lines.header
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
-    asked = {"states": states, "order": order}
+    if order == "levels" and has_bounds(header):
+        order = "time"
+    if order != "levels":
+        folder = None
+    asked: Dict[str, Any] = {"states": states, "order": order}
+    if memory is not None:
+        asked["memory"] = memory
     path, show = os.path.abspath(model), metrics(ray, progress)
     e = Exploration(ray, path, given, scc, header, count, folder, asked, here, show)
     try:
         p = e.run(disturb)
         report.states += p.states
         report.transitions += p.transitions
-        report.depth = None if order == "any" else max(report.depth or 0, p.depth)
+        deepest = order == "levels" and report.depth is not None
+        report.depth = max(report.depth or 0, p.depth) if deepest else None
         report.seconds, report.owners = report.seconds + e.seconds, count
         report.complete = report.complete and p.complete
         report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
