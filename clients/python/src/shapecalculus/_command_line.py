@@ -117,4 +117,19 @@ def parser() -> argparse.ArgumentParser:
     for bound in ("depth", "time", "states", "seconds", "memory", "bits"):
         p.add_argument("--" + bound, metavar="N", help="for each point by itself")
     written(p)
+
+    p = commands.add_parser(
+        "estimate",
+        help="tell probabilities and means from many runs",
+        description=LIKE % ("estimate", "estimate"),
+        epilog=EXITS,
+    )
+    where(p, "runs (in a folder of this machine)")
+    p.add_argument("-D", "--define", type=define, action="append", default=[], metavar="NAME=VALUE")
+    for name in ("check", "property"):
+        p.add_argument("--" + name, action="append", default=[], metavar="NAME" if name == "check" else "PROPERTY")
+    for name in "confidence width runs most seed steps until free levels effort memory seconds".split():
+        p.add_argument("--" + name)
+    p.add_argument("--normal", action="store_true")
+    p.add_argument("--json", action="store_true")
     return top

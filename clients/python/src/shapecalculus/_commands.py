@@ -1,4 +1,4 @@
-"""What ``scc-cluster check``, ``simulate`` and ``sweep`` do and write, by Ray (specs/cluster.md)."""
+"""What ``scc-cluster check``, ``simulate``, ``sweep`` and ``estimate`` do and write, by Ray (specs/cluster.md)."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import time
 from typing import Any, Callable, List, Optional
 
 from . import cluster
+from ._estimation import estimated
 from ._guard import FAULT, STOPPED, UNWRITTEN, Failed
-from ._spread import Outcome, Place, simulated, swept
+from ._spread import Outcome, Place, option, simulated, swept
 
 #: What writes to standard output.
 Write = Callable[[bytes], None]
@@ -191,6 +192,20 @@ def spread(given: Any, out: Write) -> int:
     clear()
     noted(given.command, outcome)
     return outcome.code
+
+
+def estimate(given: Any, out: Write) -> int:
+    where = Place(given.address, given.deadline, given.checkpoint, counted())
+    names = "confidence width runs most seed steps until free levels effort memory".split()
+    options = [w for name in names for w in option(name, getattr(given, name))]
+    options += [w for name in ("check", "property") for text in getattr(given, name) for w in option(name, text)]
+    options += ["--normal"] if given.normal else []
+    of_answer = (["--json"] if given.json else []) + option("seconds", given.seconds)
+    arguments = dict(options=options, of_answer=of_answer, defines=dict(given.define), scc=given.scc)
+    done = estimated(given.model, where, out, **arguments)
+    clear()
+    sys.stderr.write(done.said)
+    return done.code
 
 
 def noted(command: str, o: Outcome) -> None:

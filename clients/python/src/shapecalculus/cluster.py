@@ -14,6 +14,7 @@ import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
+from ._estimation import estimate
 from ._files import Folder, place
 from ._guard import USAGE
 from ._levels import Exploration, Progress
@@ -32,6 +33,7 @@ __all__ = [
     "Verdict",
     "check",
     "connect",
+    "estimate",
     "simulate",
     "sweep",
 ]
