@@ -32,6 +32,10 @@ let hex text =
       let byte = Char.code text.[k / 2] in
       digit (if k land 1 = 0 then byte lsr 4 else byte land 15))
 
+(* Eight bytes before those of a run: what was damaged on the way must not be unmarshalled. *)
+let check_size = 8
+let check bytes = String.sub (Digest.string bytes) 0 check_size
+
 let make w ~of_ ~whole work =
   say (described "runs" w ~of_);
   let rec from k =
@@ -40,7 +44,8 @@ let make w ~of_ ~whole work =
     let outcome = work k in
     whole outcome
     && begin
-      Standard.print (hex (Marshal.to_string outcome []) ^ "\n");
+      let bytes = Marshal.to_string outcome [] in
+      Standard.print (hex (check bytes ^ bytes) ^ "\n");
       from (k + 1)
     end
   in
@@ -63,11 +68,11 @@ let of_hex line =
   if n land 1 = 1 then None
   else
     match String.init (n / 2) (fun k -> Char.chr ((16 * digit line.[2 * k]) + digit line.[(2 * k) + 1])) with
-    | bytes when String.length bytes >= Marshal.header_size ->
-      let size = Marshal.total_size (Bytes.unsafe_of_string bytes) 0 in
-      if size = String.length bytes then Some (Marshal.from_string bytes 0) else None
+    | text when String.length text > check_size ->
+      let bytes = String.sub text check_size (String.length text - check_size) in
+      if String.equal (check bytes) (String.sub text 0 check_size) then Some (Marshal.from_string bytes 0) else None
     | _ -> None
-    | exception (Exit | Failure _) -> None
+    | exception Exit -> None
 
 (* Standard input is waited for a little at a time. *)
 let wait interrupted () =
