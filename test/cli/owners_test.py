@@ -107,6 +107,8 @@ def compared(scc, path, there, count, order, states, folder, named=()):
         explored, runs = found['found'], {r['goal']: r['choices'] for r in found['runs']}
         complete = found['stopped'] is None and not found['faults'] and not found['too_long']
         sums = [sums[0] + explored['states'], sums[1] + explored['transitions'], max(sums[2], explored['depth']), sums[3] and complete]
+        if order != 'any' and (owners.header['explorations'] == 1 or found['cycle'] is not None):
+            wrong += cycle_differs(scc, path, number, found['cycle'], there['zeno'], named)
         verdicts = {p['name']: p['verdict'] for p in there['properties']}
         for c in owners.header['checks']:
             if c['plan'] is None or c['premise']:
@@ -124,6 +126,20 @@ def compared(scc, path, there, count, order, states, folder, named=()):
             if here != there['explored'][name] and not (name == 'depth' and order != 'levels'):
                 wrong.append('%s: %s, and check has %s' % (name, here, there['explored'][name]))
     return wrong
+
+
+def cycle_differs(scc, path, exploration, found, there, named):
+    """Of a cycle in which no time passes: whether it is that of check, in numbers and labels."""
+    if found is None or there is None:
+        return [] if found is there else ['a cycle without time: %s, and check has %s' % (found, there and there['cycle'])]
+    lines = Filter(scc, path, exploration, named)
+    answer = lines.ask(json.dumps({'cycle': found['from'], 'choices': found['choices']}))
+    lines.close()
+    if 'error' in answer:
+        return ['the cycle is refused: %s' % answer['error']]
+    here = [choice['label'] for choice in answer['schedule']['choices']]
+    same = answer['cycle'] == there['cycle'] and here == [step['label']['text'] for step in there['steps']]
+    return [] if same else ['another cycle than that of check']
 
 
 def replayed(scc, path, exploration, name, goal, choices, folder, order, named):

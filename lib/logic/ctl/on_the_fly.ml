@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_data
 open Scc_exact
 open Scc_graph_search
@@ -278,33 +277,12 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   (* The first cycle along which no time passes, of those that lead through what is inside. *)
   let find_cycle g arcs inside =
-    let size = Graph.size g in
-    let components =
-      Strong_components.compute ~size ~inside ~successors:(fun i -> Array.of_list (List.map fst (arcs i)))
+    let trace (i, cycle) =
+      let stem = Graph.shortest_path g i in
+      let steps = List.map (fun (source, choice) -> { Graph.source; choice }) cycle in
+      { steps = List.append stem steps; last = i; finish = Repeats (List.length stem) }
     in
-    let number = Strong_components.number components in
-    let together i (j, _) = Int.equal (number i) (number j) in
-    let cycle i =
-      Option.map
-        (fun (j, choice) ->
-           let successors u = List.filter (together u) (arcs u) in
-           match Shortest_path.find ~successors ~from:j ~goal:(Int.equal i) with
-           | None -> Bug.fail __POS__ "a component is not connected"
-           | Some back ->
-             let steps = List.map (fun (source, choice) -> { Graph.source; choice }) in
-             let stem = Graph.shortest_path g i in
-             {
-               steps = List.append stem ({ Graph.source = i; choice } :: steps back);
-               last = i;
-               finish = Repeats (List.length stem);
-             })
-        (List.find_opt (together i) (arcs i))
-    in
-    let rec go i =
-      if i = size then None
-      else match if inside i then cycle i else None with Some t -> Some t | None -> go (i + 1)
-    in
-    go 0
+    Option.map trace (First_cycle.find ~size:(Graph.size g) ~inside arcs)
 
   let zeno_cycle g =
     let arcs i = List.map (fun (choice, target) -> (target, choice)) (Graph.edges_at_once g i) in

@@ -98,6 +98,7 @@ let note s x ~now id turn (note : Expansion.note) =
 
 let expand s now =
   let order = batch s now in
+  Expansion.next_round s.expansion;
   let x =
     {
       order; counts = Array.make (Array.length order) 0; opened = []; ahead = [];
@@ -385,6 +386,21 @@ let finish s (p : Progress.t) : Progress.t =
     open_ = Some (Array.init goals (fun k -> is_undecided k && flag (1 + k)));
   }
 
+let graph s : Cycles.graph =
+  let rest = lazy (
+    let ids = Hashtbl.create 64 in
+    let add id = Hashtbl.replace ids id () in
+    List.iter add s.left;
+    waiting s add;
+    ids)
+  in
+  {
+    number = Clock.turn s.clock;
+    find = Clock.find s.clock;
+    level = (fun _ -> 0);
+    is_expanded = (fun id -> not (Hashtbl.mem (Lazy.force rest) id));
+  }
+
 let too_late s time =
   match s.settings.horizon with Some bound -> Rat.compare time bound > 0 | None -> false
 
@@ -407,7 +423,7 @@ let run s ~home =
   if home = me s then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~sender:home ~before:0 ~choice:0);
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~at_once:false ~sender:home ~before:0 ~choice:0);
     ignore (Part.hits s.part)
   end;
   Clock.close s.clock;

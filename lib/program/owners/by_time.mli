@@ -19,5 +19,8 @@ type t
 val make : Part.t -> Clock.t -> Mesh.t -> Expansion.t -> settings -> show:(Progress.t -> unit) -> t
 (** One owner. The clock is that of its part. [show] is called after each round. *)
 
+val graph : t -> Cycles.graph
+(** What has been explored. States are numbered by their turns. *)
+
 val run : t -> home:int -> Progress.t
 (** The whole exploration, whose initial state is that of the owner [home]. *)

@@ -18,11 +18,16 @@ type t = {
   mutable homes : int array;  (** of the targets of a state, by choice; of those that are the state itself, any *)
   mutable prints : Keys.fingerprint array;  (** of those of others, one after the other *)
   mutable touched : int;  (** of no meaning *)
+  mutable round : int;
+  timed : Timed_labels.t;
   marks : (int * int) Growable.t;  (** of times, by their numbers: two words of a digest *)
 }
 
 let make part mesh records ~sent =
-  { part; mesh; records; sent; near = Tuples.spread (Part.table part); homes = [||]; prints = [||]; touched = 0; marks = Growable.create () }
+  let context = Filter.context (Part.filter part) in
+  let duration = Scc_state_space.Network_lts.duration context in
+  let timed = Timed_labels.create ~duration ~transitions:(Scc_state_space.Network_lts.transitions context) in
+  { part; mesh; records; sent; timed; near = Tuples.spread (Part.table part); homes = [||]; prints = [||]; touched = 0; round = 0; marks = Growable.create () }
 
 let state = 'R'
 
@@ -62,6 +67,8 @@ let change_back into (changes : Tuples.changes) tuple =
 
 (* {1 Times} *)
 
+let takes_time e = Timed_labels.takes_time e.timed
+
 let duration e label = Scc_state_space.Network_lts.duration (Filter.context (Part.filter e.part)) label
 
 (* When a transition ends, of a state that is reached at the time [now]. *)
@@ -69,8 +76,7 @@ let time_after e ~now label =
   match Part.clock e.part with
   | None -> 0
   | Some clock ->
-    let d = duration e label in
-    if Rat.sign d > 0 then Clock.number clock (Rat.add (Clock.time clock now) d) else now
+    if takes_time e label then Clock.number clock (Rat.add (Clock.time clock now) (duration e label)) else now
 
 let mark e clock time =
   for k = Growable.length e.marks to time do
@@ -88,6 +94,13 @@ let add_time e (print : Keys.fingerprint) time =
     let a, b = mark e clock time in
     print.(1) <- print.(1) lxor a;
     print.(3) <- print.(3) lxor b
+
+let next_round e = e.round <- e.round + 1
+
+(* A transition without duration that leads back may close a cycle. Its target is sent in each round, to be seen
+   there; it was found in an earlier one. Products of an odd number differ modulo 2^32. *)
+let add_round e (print : Keys.fingerprint) label =
+  if not (takes_time e label) then print.(2) <- print.(2) lxor ((e.round * 0x9E3779B1) land 0xFFFF_FFFF)
 
 (* {1 Targets} *)
 
@@ -107,6 +120,7 @@ let find_homes e tuple ~now changed steps =
       if home = me then (n + 1, others)
       else begin
         add_time e print (time_after e ~now s.label);
+        add_round e print s.label;
         e.touched <- e.touched lxor Sent.near e.sent print;
         (n + 1, others + 1)
       end
@@ -116,12 +130,11 @@ let find_homes e tuple ~now changed steps =
 
 let prepare e steps =
   let table = Part.table e.part and me = Mesh.number e.mesh in
-  let takes_time label = Rat.sign (duration e label) > 0 in
   let rec each n prepared = function
     | [] -> prepared
     | (s : Lts.step) :: rest ->
       if s.changes <> [||] && e.homes.(n) = me then begin
-        Tuples.prepare table ~near:e.near ~lasting:(not (takes_time s.label)) s.changes prepared;
+        Tuples.prepare table ~near:e.near ~lasting:(not (takes_time e s.label)) s.changes prepared;
         each (n + 1) (prepared + 1) rest
       end
       else each (n + 1) prepared rest
@@ -130,38 +143,40 @@ let prepare e steps =
   Tuples.fetch table (each 0 0 steps)
 
 (* Own targets are entered, and others sent unless they have been. Each is the source, changed for a moment. *)
-let enter_all e tuple ~now changed ~before steps =
+let enter_all e id tuple ~now changed ~before steps =
   let table = Part.table e.part and me = Mesh.number e.mesh in
   let rec each choice prepared others = function
     | [] -> choice
-    | { Lts.changes = [||]; _ } :: rest -> each (choice + 1) prepared others rest
+    | { Lts.changes = [||]; label } :: rest ->
+      if not (takes_time e label) then Part.turns_at e.part id;
+      each (choice + 1) prepared others rest
     | { Lts.changes; label } :: rest when e.homes.(choice) = me ->
       let known = Tuples.prepared table prepared in
-      let time = time_after e ~now label in
-      if known >= 0 then Part.again e.part known ~time ~sender:me ~before ~choice
+      let time = time_after e ~now label and at_once = not (takes_time e label) in
+      if known >= 0 then Part.again e.part known ~time ~at_once ~sender:me ~before ~choice
       else begin
         change changed changes;
-        Part.enter_prepared e.part prepared changed ~time ~sender:me ~before ~choice;
+        Part.enter_prepared e.part prepared changed ~time ~at_once ~sender:me ~before ~choice;
         change_back changed changes tuple
       end;
       each (choice + 1) (prepared + 1) others rest
     | { Lts.changes; label } :: rest ->
       if Sent.add e.sent e.prints.(others) then begin
         change changed changes;
-        let time = time_after e ~now label in
-        Records.put e.records.(e.homes.(choice)) ~time ~before ~choice changed;
+        let time = time_after e ~now label and at_once = not (takes_time e label) in
+        Records.put e.records.(e.homes.(choice)) ~time ~at_once ~before ~choice changed;
         change_back changed changes tuple
       end;
       each (choice + 1) prepared (others + 1) rest
   in
   each 0 0 0 steps
 
-let targets e tuple ~now ~before steps =
+let targets e id tuple ~now ~before steps =
   make_room e (List.length steps + 1);
   let changed = Array.copy tuple in
   if Mesh.count e.mesh > 1 then find_homes e tuple ~now changed steps;
   prepare e steps;
-  enter_all e tuple ~now changed ~before steps
+  enter_all e id tuple ~now changed ~before steps
 
 let look_ahead note goal (ahead : Filter.ahead option) =
   match ahead with
@@ -181,7 +196,7 @@ let expand e id ~before ~note =
       match bare with
       | Moves steps ->
         let now = Option.fold ~none:0 ~some:(fun clock -> Clock.arrival clock id) (Part.clock e.part) in
-        targets e tuple ~now ~before steps
+        targets e id tuple ~now ~before steps
       | Fault d ->
         note (Fault d.message);
         0

@@ -17,6 +17,9 @@ val make : Part.t -> Mesh.t -> Records.t array -> sent:Sent.t -> t
 val state : char
 (** The kind of the messages that {!flush} sends: texts of {!Records}. *)
 
+val next_round : t -> unit
+(** A new round of states begins. What leads to a state without duration is sent once in each round. *)
+
 val expand : t -> int -> before:int -> note:(note -> unit) -> int
 (** [expand e id ~before ~note] is the number of transitions of the state [id]. [before] stands for it in the
     ways of its targets. What is to be sent is collected. *)

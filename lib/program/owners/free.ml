@@ -216,7 +216,7 @@ let run s ~home =
   if home = Mesh.number s.mesh then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~sender:home ~before:0 ~choice:0)
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~at_once:false ~sender:home ~before:0 ~choice:0)
   end;
   Part.keep_first s.part;
   if s.searches && Array.length s.met = 0 then s.stop <- Some (Some Early);

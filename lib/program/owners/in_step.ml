@@ -18,12 +18,17 @@ type t = {
   settings : settings;
   calls : calls;
   mutable kept_at : float;
+  mutable expanded : int;  (** the number of the last state that is expanded *)
 }
 
 let make part mesh expansion levels settings calls =
-  { part; mesh; expansion; levels; settings; calls; kept_at = Unix.gettimeofday () }
+  { part; mesh; expansion; levels; settings; calls; kept_at = Unix.gettimeofday (); expanded = -1 }
 
 let me s = Mesh.number s.mesh
+
+(* Numbers of states in the order in which they are found: ranks are below 2^30. *)
+let shift = 31
+let number ~level rank = (level lsl shift) lor rank
 
 (* {1 Expanding a level} *)
 
@@ -50,6 +55,7 @@ let note x owner id rank (note : Expansion.note) =
 
 let expand s (p : Progress.t) =
   let order = Levels.by_rank s.levels p.level in
+  Expansion.next_round s.expansion;
   let nothing () = Array.map (fun _ -> None) p.met in
   let x =
     {
@@ -194,6 +200,7 @@ let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
   let transitions, new_states =
     match last with Some last -> up_to s x fresh last | None -> (all.transitions, all.fresh)
   in
+  s.expanded <- number ~level:p.level (match last with Some last -> Int.max 0 last | None -> (1 lsl shift) - 1);
   let goes_on = new_states > 0 || Option.fold ~none:false ~some:(fun last -> last < p.width - 1) last in
   let stop =
     if ends_here then if goes_on then Some Early else None
@@ -246,6 +253,15 @@ let rec run s (p : Progress.t) =
     let p, goes_on = next s p in
     if goes_on then run s p else p
 
+let graph s : Cycles.graph =
+  let number id = number ~level:(Levels.level s.levels id) (Levels.rank s.levels id) in
+  {
+    number;
+    find = (fun n -> Levels.find s.levels (n lsr shift) (n land ((1 lsl shift) - 1)));
+    level = (fun n -> n lsr shift);
+    is_expanded = (fun id -> number id <= s.expanded && not (Part.is_too_long s.part id));
+  }
+
 (* {1 The beginning} *)
 
 let begin_ s ~home =
@@ -254,7 +270,7 @@ let begin_ s ~home =
   if home = me s then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~sender:home ~before:0 ~choice:0);
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~at_once:false ~sender:home ~before:0 ~choice:0);
     ignore (Part.hits s.part)
   end;
   Part.close s.part;

@@ -22,6 +22,9 @@ type t
 val make : Part.t -> Mesh.t -> Expansion.t -> Levels.t -> settings -> calls -> t
 (** One owner. *)
 
+val graph : t -> Cycles.graph
+(** What has been explored. *)
+
 val begin_ : t -> home:int -> Progress.t
 (** The beginning of an exploration, whose initial state is that of the owner [home]. *)
 

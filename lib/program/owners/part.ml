@@ -13,9 +13,11 @@ type t = {
   choices : Int_vector.t;
   senders : Int_vector.t;
   too_long : (int, unit) Hashtbl.t;
+  turning : (int, unit) Hashtbl.t;  (** states to which cycles in which no time passes may come back *)
   searched : bool array;  (** of each goal *)
   mutable hits : hit list;
   mutable open_from : int;
+  mutable in_rounds : bool;
   clock : Clock.t option;
 }
 
@@ -25,10 +27,11 @@ let make ?clock filter =
     filter; clock;
     table = Tuples.create ~width;
     before = Int_vector.create (); choices = Int_vector.create (); senders = Int_vector.create ();
-    too_long = Hashtbl.create 16;
+    too_long = Hashtbl.create 16; turning = Hashtbl.create 16;
     searched = Array.map (fun _ -> true) (Filter.predicates filter);
     hits = [];
     open_from = 0;
+    in_rounds = true;
   }
 
 let filter p = p.filter
@@ -38,7 +41,9 @@ let size p = Tuples.size p.table
 let is_too_long p id = Hashtbl.length p.too_long > 0 && Hashtbl.mem p.too_long id
 let found p goal = p.searched.(goal) <- false
 let close p = p.open_from <- size p
-let keep_first p = p.open_from <- max_int
+let keep_first p =
+  p.open_from <- max_int;
+  p.in_rounds <- false
 
 let hits p =
   let all = p.hits in
@@ -87,24 +92,29 @@ let set_if_first p id ~sender ~before ~choice =
   if before < known || (before = known && choice < Int_vector.get p.choices id) then
     set_way p id ~sender ~before ~choice
 
-let again p id ~time ~sender ~before ~choice =
+let turns_at p id = Hashtbl.replace p.turning id ()
+let turning p = Hashtbl.fold (fun id () all -> id :: all) p.turning []
+
+let again p id ~time ~at_once ~sender ~before ~choice =
   match p.clock with
-  | None -> if id >= p.open_from then set_if_first p id ~sender ~before ~choice
+  | None ->
+    if id >= p.open_from then set_if_first p id ~sender ~before ~choice
+    else if at_once && p.in_rounds then turns_at p id
   | Some clock -> (
       match Clock.again clock id ~time { before; choice } with
-      | Nothing -> ()
+      | Nothing -> if at_once && Clock.turn clock id <= before then turns_at p id
       | Same -> set_if_first p id ~sender ~before ~choice
       | Earlier -> set_way p id ~sender ~before ~choice)
 
-let enter p ~near changes target ~time ~sender ~before ~choice =
+let enter p ~near changes target ~time ~at_once ~sender ~before ~choice =
   let known = size p in
   let id = Tuples.intern p.table ~near changes in
   if id = known then add p id target ~time ~sender ~before ~choice
-  else again p id ~time ~sender ~before ~choice;
+  else again p id ~time ~at_once ~sender ~before ~choice;
   id
 
-let enter_prepared p n target ~time ~sender ~before ~choice =
+let enter_prepared p n target ~time ~at_once ~sender ~before ~choice =
   let known = size p in
   let id = Tuples.intern_prepared p.table n in
   if id = known then add p id target ~time ~sender ~before ~choice
-  else again p id ~time ~sender ~before ~choice
+  else again p id ~time ~at_once ~sender ~before ~choice

@@ -73,9 +73,9 @@ let read_time source d clock =
     time
   end
 
-let put r ~time ~before ~choice tuple =
+let put r ~time ~at_once ~before ~choice tuple =
   put_number r.text r.sends before;
-  Packed.put_nat r.text choice;
+  Packed.put_nat r.text ((2 * choice) + Bool.to_int at_once);
   Option.iter (fun clock -> put_time r.text r.sends clock time) r.clock;
   put_state r.text r.sends tuple
 
@@ -86,9 +86,12 @@ let take r =
   Buffer.clear r.text;
   text
 
+type arrow = { id : int; before : int; choice : int }
+
 let read_one r part ~sender source =
   let before = read_number source r.reads in
   let choice = Packed.nat source in
+  let at_once = choice land 1 = 1 and choice = choice / 2 in
   let time = Option.fold ~none:0 ~some:(read_time source r.reads) r.clock in
   let changes = Wire.read_changes r.reads.wire source in
   if before < 0 then raise (Packed.Malformed "there is a number below 0");
@@ -97,14 +100,15 @@ let read_one r part ~sender source =
   (* A state that comes twice, one time after the other, differs in nothing. *)
   let last = r.reads.last in
   let changes = if changes = [||] then [| 0; last.(0) |] else changes in
-  let id = Part.enter part ~near:r.near changes last ~time ~sender ~before ~choice in
+  let id = Part.enter part ~near:r.near changes last ~time ~at_once ~sender ~before ~choice in
   Tuples.load (Part.table part) r.near id;
-  r.last_id <- id
+  r.last_id <- id;
+  { id; before; choice }
 
-let read r part ~sender text =
+let read r part ~sender text each =
   let source = Packed.source text in
   try
-    while not (Packed.at_end source) do read_one r part ~sender source done
+    while not (Packed.at_end source) do each (read_one r part ~sender source) done
   with
   | Packed.Malformed what | Failure what | Invalid_argument what ->
     Failure.refused "owner %d sends what are no states: %s" (sender + 1) what

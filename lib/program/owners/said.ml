@@ -70,7 +70,15 @@ let read_begin ~count line =
 
 (* {1 What is said to the parent} *)
 
-type found = { progress : Progress.t; runs : (int * int list) list; messages : int; bytes : int }
+type lasso = { choices : int list; from : int }
+
+type found = {
+  progress : Progress.t;
+  runs : (int * int list) list;
+  cycle : lasso option;
+  messages : int;
+  bytes : int;
+}
 
 type t =
   | Going of Progress.t
@@ -107,6 +115,14 @@ let run =
   fields [ field "goal" natural fst; field "choices" (list natural) snd ]
   |> about "A run that meets a goal: the places of its transitions."
 
+let cycle =
+  fields
+    [
+      field "from" natural (fun c -> c.from);
+      field "choices" (list natural) (fun c -> c.choices);
+    ]
+  |> about "A run that comes back, within one instant, to the state after its first `from` transitions."
+
 let found =
   let p f x = f x.progress in
   fields
@@ -118,6 +134,7 @@ let found =
       field "doubts" (list natural) (p (fun p -> goals p (fun g -> p.doubts.(g))));
       field "open" (list natural) (p left_open);
       field "runs" (list run) (fun x -> x.runs);
+      field "cycle" (nullable cycle) (fun x -> x.cycle);
       field "faults" (list text) (p (fun p -> p.faults));
       field "ends" (list text) (p (fun p -> p.ends));
       field "too_long" natural (p (fun p -> p.too_long));

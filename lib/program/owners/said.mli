@@ -24,10 +24,15 @@ type begin_ = {
 val read_begin : count:int -> string -> begin_
 (** Reads the line. Raises {!Failure.Failed}. *)
 
+(** A run that comes back within one instant: its choices, and how many of them lead to the state to which it comes
+    back. *)
+type lasso = { choices : int list; from : int }
+
 (** The result of an exploration, which the first owner tells. *)
 type found = {
   progress : Progress.t;
   runs : (int * int list) list;  (** by goal that is met, the choices of a run to it *)
+  cycle : lasso option;  (** in which no time passes, if one was found *)
   messages : int;  (** between all owners *)
   bytes : int;
 }

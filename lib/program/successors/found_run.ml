@@ -54,11 +54,30 @@ let find f ~goal choices =
       | Some w -> Ok (check, w)
       | None -> wrong "the run meets goal %d later than anything is asked about" goal)
 
+(* The states before and after the round, and how long it takes. *)
+let is_round f choices ~from =
+  let* before, early = follow f (List.filteri (fun k _ -> k < from) choices) in
+  let* after, late = follow f choices in
+  Ok (from < List.length choices && before = after && Rat.equal early late)
+
+let cycle f ~from choices =
+  let* is_round = is_round f choices ~from in
+  if not is_round then wrong "the run does not come back, within one instant, to the state after %d steps" from
+  else
+    match (Filter.question f).exploration.lift (Make_witness.of_cycle (Filter.context f) choices ~from) with
+    | Some w -> Ok w
+    | None -> wrong "the run comes back later than anything is asked about"
+
+type request = Goal of int * int list | Cycle of int * int list
+
 let request line =
   let no_json (d : Diag.t) = Diag.error Code.no_run Span.none "%s" d.message in
   let* json = Json.parse (Source.make ~name:"-" line) |> Result.map_error no_json in
   let numbers list = List.map Json.int list in
-  match (Option.bind (Json.member "goal" json) Json.int, Option.bind (Json.member "choices" json) Json.list) with
-  | Some goal, Some choices when List.for_all Option.is_some (numbers choices) ->
-    Ok (goal, List.filter_map Fun.id (numbers choices))
-  | _ -> wrong "a run is {\"goal\": a number, \"choices\": [numbers]}"
+  let number name = Option.bind (Json.member name json) Json.int in
+  match (number "goal", number "cycle", Option.bind (Json.member "choices" json) Json.list) with
+  | Some goal, None, Some choices when List.for_all Option.is_some (numbers choices) ->
+    Ok (Goal (goal, List.filter_map Fun.id (numbers choices)))
+  | None, Some from, Some choices when List.for_all Option.is_some (numbers choices) ->
+    Ok (Cycle (from, List.filter_map Fun.id (numbers choices)))
+  | _ -> wrong "a run is {\"goal\": a number, \"choices\": [numbers]}, or one with \"cycle\" instead"

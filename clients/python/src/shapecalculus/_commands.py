@@ -46,6 +46,14 @@ def as_text(report: cluster.Report) -> str:
         if v.schedule is not None:
             lines.append("    shown by a run of %d transitions" % len(v.schedule["choices"]))
     lines += report.dead_ends + report.faults
+    if report.zeno is not None:
+        lines.append("Zeno behaviour: a run that goes on for ever within one instant")
+        if report.zeno["schedule"] is None:
+            lines.append("    " + report.zeno["reason"])
+        else:
+            steps = len(report.zeno["schedule"]["choices"])
+            said = "    after %d transitions, the next %d again and again"
+            lines.append(said % (report.zeno["cycle"], steps - report.zeno["cycle"]))
     end = "; complete" if report.complete else ""
     depth = "" if report.depth is None else ", depth %d" % report.depth
     lines.append("explored: %d states, %d transitions%s%s" % (report.states, report.transitions, depth, end))
@@ -65,6 +73,7 @@ def as_json(report: cluster.Report) -> str:
         "recovered": report.recovered,
         "dead_ends": report.dead_ends,
         "faults": report.faults,
+        "zeno": report.zeno,
         "properties": [v.__dict__ for v in report.properties],
     }
     return json.dumps(document, indent=1) + "\n"
@@ -72,10 +81,13 @@ def as_json(report: cluster.Report) -> str:
 
 def write(report: cluster.Report, folder: str) -> None:
     os.makedirs(folder, exist_ok=True)
-    for v in report.properties:
-        if v.schedule is not None:
-            with open(os.path.join(folder, v.name + ".json"), "w", encoding="utf-8") as f:
-                json.dump(v.schedule, f, indent=1)
+    schedules = {v.name: v.schedule for v in report.properties}
+    if report.zeno is not None:
+        schedules["zeno-behaviour"] = report.zeno["schedule"]  # no property has this name
+    for name, schedule in schedules.items():
+        if schedule is not None:
+            with open(os.path.join(folder, name + ".json"), "w", encoding="utf-8") as f:
+                json.dump(schedule, f, indent=1)
 
 
 def code_of(report: cluster.Report) -> int:

@@ -34,6 +34,7 @@ class Progress:
     doubts: List[int] = field(default_factory=list)  # goals
     open: List[int] = field(default_factory=list)  # goals that may be met after states that were not expanded
     stopped: str = ""  # why it did not go to the end: "" or "early", "states", "levels", "late"
+    cycle: Optional[Dict[str, Any]] = None  # a run that comes back within one instant: "from" and "choices"
     faults: List[str] = field(default_factory=list)
     ends: List[str] = field(default_factory=list)
     too_long: int = 0
@@ -48,7 +49,7 @@ class Progress:
 def progress_of(told: Any) -> Progress:
     if "going" in told:
         return Progress(**told["going"])
-    rest = {k: told[k] for k in ("doubts", "open", "faults", "ends", "too_long", "messages", "bytes")}
+    rest = {k: told[k] for k in ("doubts", "open", "cycle", "faults", "ends", "too_long", "messages", "bytes")}
     runs = {run["goal"]: run["choices"] for run in told["runs"]}
     return Progress(runs=runs, stopped=told["stopped"] or "", **told["found"], **rest)
 

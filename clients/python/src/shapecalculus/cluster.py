@@ -68,6 +68,9 @@ class Report:
     complete: bool = True
     properties: List[Verdict] = field(default_factory=list)
     dead_ends: List[str] = field(default_factory=list)
+    #: A run that goes on for ever within one instant: "cycle", how many transitions lead to the state to which it comes
+    #: back, and its "schedule". None if there is none, or if owners go in any order.
+    zeno: Optional[Dict[str, Any]] = None
     faults: List[str] = field(default_factory=list)
     recovered: int = 0  #: how often owners were lost and started again
     seconds: float = 0.0  #: of the explorations, without the start of Ray and of the owners
@@ -260,6 +263,8 @@ def explored(
                 choices = None if goal is None else p.runs[goal]
                 schedule, why = (None, []) if choices is None else replayed(model, given, scc, goal, choices)
                 report.properties.append(shown(c, p, states, header, schedule, why))
+        if p.cycle is not None and report.zeno is None:
+            report.zeno = comes_back(model, given, scc, p.cycle)
         report.recovered += e.recovered
     finally:
         e.close()
@@ -279,6 +284,18 @@ def replayed(
         return None, [LOST + str(e)]
     except FilterFailed as e:
         return None, [REFUSED + str(e)]
+
+
+def comes_back(model: str, given: List[str], scc: Optional[str], found: Dict[str, Any]) -> Dict[str, Any]:
+    """A cycle in which no time passes, by the rules; or as it was found, if these are not to be had."""
+    try:
+        lines = Filter(model, given, scc=scc)
+        try:
+            return dict(lines.cycle(found["from"], found["choices"]))
+        finally:
+            lines.close()
+    except FilterFailed as e:
+        return {"cycle": found["from"], "schedule": None, "reason": REFUSED + str(e)}
 
 
 def shown(
