@@ -423,7 +423,7 @@ let run s ~home =
   if home = me s then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~at_once:false ~sender:home ~before:0 ~choice:0);
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0);
     ignore (Part.hits s.part)
   end;
   Clock.close s.clock;
@@ -450,6 +450,7 @@ let run s ~home =
       doubts = Array.map (fun _ -> false) s.goals;
       open_ = None; stop = None; faults = []; ends = [];
       too_long = Bool.to_int initial.too_long;
+      too_deep = 0;
     }
   in
   let next_day = if initial.too_long then None else Some (Rat.zero, 0) in

@@ -57,7 +57,7 @@ let follow c w id tuple choice (changes : Tuples.changes) =
       | target -> arc w ~source ~choice target
     else
       let time = Option.fold ~none:0 ~some:(fun clock -> Clock.arrival clock id) (Part.clock c.part) in
-      Records.put c.records.(home) ~time ~at_once:false ~before:source ~choice target
+      Records.put c.records.(home) ~time ~instant:0 ~before:source ~choice target
 
 let expand c w id =
   Tuples.load (Part.table c.part) w.near id;

@@ -144,7 +144,7 @@ let prepare e steps =
 
 (* Own targets are entered, and others sent unless they have been. Each is the source, changed for a moment. *)
 let enter_all e id tuple ~now changed ~before steps =
-  let table = Part.table e.part and me = Mesh.number e.mesh in
+  let table = Part.table e.part and me = Mesh.number e.mesh and instant = Part.instant e.part id in
   let rec each choice prepared others = function
     | [] -> choice
     | { Lts.changes = [||]; label } :: rest ->
@@ -152,19 +152,19 @@ let enter_all e id tuple ~now changed ~before steps =
       each (choice + 1) prepared others rest
     | { Lts.changes; label } :: rest when e.homes.(choice) = me ->
       let known = Tuples.prepared table prepared in
-      let time = time_after e ~now label and at_once = not (takes_time e label) in
-      if known >= 0 then Part.again e.part known ~time ~at_once ~sender:me ~before ~choice
+      let time = time_after e ~now label and instant = if takes_time e label then 0 else instant + 1 in
+      if known >= 0 then Part.again e.part known ~time ~instant ~sender:me ~before ~choice
       else begin
         change changed changes;
-        Part.enter_prepared e.part prepared changed ~time ~at_once ~sender:me ~before ~choice;
+        Part.enter_prepared e.part prepared changed ~time ~instant ~sender:me ~before ~choice;
         change_back changed changes tuple
       end;
       each (choice + 1) (prepared + 1) others rest
     | { Lts.changes; label } :: rest ->
       if Sent.add e.sent e.prints.(others) then begin
         change changed changes;
-        let time = time_after e ~now label and at_once = not (takes_time e label) in
-        Records.put e.records.(e.homes.(choice)) ~time ~at_once ~before ~choice changed;
+        let time = time_after e ~now label and instant = if takes_time e label then 0 else instant + 1 in
+        Records.put e.records.(e.homes.(choice)) ~time ~instant ~before ~choice changed;
         change_back changed changes tuple
       end;
       each (choice + 1) prepared (others + 1) rest

@@ -4,7 +4,7 @@ open Progress
 type settings = {
   searches : bool;  (** all that is asked are searches: it ends once every goal is met *)
   most_states : int;
-  most_levels : int option;
+  most_at_once : int option;
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 
@@ -53,6 +53,9 @@ let note x owner id rank (note : Expansion.note) =
   | End text -> Hashtbl.replace x.ends text ()
   | Ahead { goal; met; _ } -> at (if Option.is_some met then x.ahead else x.doubtful) goal
 
+let is_too_deep s id =
+  match s.settings.most_at_once with Some most -> Part.instant s.part id > most | None -> false
+
 let expand s (p : Progress.t) =
   let order = Levels.by_rank s.levels p.level in
   Expansion.next_round s.expansion;
@@ -68,7 +71,7 @@ let expand s (p : Progress.t) =
       ignore (Expansion.flush_full s.expansion);
       Mesh.pump s.mesh 0.
     end;
-    if not (Part.is_too_long s.part id) then begin
+    if not (Part.is_too_long s.part id || is_too_deep s id) then begin
       let rank = Levels.rank s.levels id in
       x.counts.(k) <- Expansion.expand s.expansion id ~before:rank ~note:(note x (me s) id rank)
     end
@@ -113,10 +116,12 @@ let is_due s =
 let summary s (p : Progress.t) x fresh : Summary.t =
   let met, doubts = events s (Part.hits s.part) (Array.length p.met) in
   let is_new text = not (List.mem text p.faults) in
+  let count test = Array.fold_left (fun n id -> if test id then n + 1 else n) 0 fresh in
   {
     fresh = Array.length fresh;
     transitions = Array.fold_left ( + ) 0 x.counts;
-    too_long = Array.fold_left (fun n id -> if Part.is_too_long s.part id then n + 1 else n) 0 fresh;
+    too_long = count (Part.is_too_long s.part);
+    too_deep = count (is_too_deep s);
     keep = is_due s;
     met = Array.map2 earlier met x.ahead;
     doubts = Array.map2 earlier doubts x.doubtful;
@@ -186,9 +191,6 @@ let doubts (p : Progress.t) (all : Summary.t) counts =
   in
   Array.mapi is_doubtful all.doubts
 
-let too_deep s level =
-  match s.settings.most_levels with Some most -> level >= most | None -> false
-
 let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
   let bound = last_rank s p all fresh ranks in
   let within last (rank : int) = match last with Some last -> rank <= last | None -> true in
@@ -205,7 +207,6 @@ let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
   let stop =
     if ends_here then if goes_on then Some Early else None
     else if Option.is_some bound then Some States
-    else if new_states > 0 && too_deep s (p.level + 1) then Some Levels
     else None
   in
   let faults = List.filter (fun (_, rank) -> within last rank) all.faults in
@@ -220,6 +221,7 @@ let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
     faults = add p.faults (List.map fst faults);
     ends = add p.ends all.ends;
     too_long = p.too_long + all.too_long;
+    too_deep = p.too_deep + all.too_deep;
   },
     new_states )
 
@@ -251,7 +253,7 @@ let rec run s (p : Progress.t) =
   if p.stop <> None then p
   else
     let p, goes_on = next s p in
-    if goes_on then run s p else p
+    if goes_on then run s p else if p.too_deep > 0 && p.stop = None then { p with stop = Some Levels } else p
 
 let graph s : Cycles.graph =
   let number id = number ~level:(Levels.level s.levels id) (Levels.rank s.levels id) in
@@ -259,7 +261,8 @@ let graph s : Cycles.graph =
     number;
     find = (fun n -> Levels.find s.levels (n lsr shift) (n land ((1 lsl shift) - 1)));
     level = (fun n -> n lsr shift);
-    is_expanded = (fun id -> number id <= s.expanded && not (Part.is_too_long s.part id));
+    is_expanded =
+      (fun id -> number id <= s.expanded && not (Part.is_too_long s.part id || is_too_deep s id));
   }
 
 (* {1 The beginning} *)
@@ -270,7 +273,7 @@ let begin_ s ~home =
   if home = me s then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~at_once:false ~sender:home ~before:0 ~choice:0);
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0);
     ignore (Part.hits s.part)
   end;
   Part.close s.part;
@@ -283,7 +286,7 @@ let begin_ s ~home =
     {
       level = 0; depth = 0; width = 1; states = 1; transitions = 0; met;
       doubts = Array.map is_open initial.goals;
-      open_ = None; stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long;
+      open_ = None; stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long; too_deep = 0;
     }
   in
   { p with stop = (if decided s met then Some Early else None) }

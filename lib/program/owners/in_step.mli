@@ -6,7 +6,8 @@
 type settings = {
   searches : bool;  (** all that is asked are searches: it ends once every goal is met *)
   most_states : int;
-  most_levels : int option;
+  most_at_once : int option;
+  (** no state is expanded whose way ends with more transitions without duration *)
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 

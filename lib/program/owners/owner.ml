@@ -134,7 +134,7 @@ let in_step o mesh expansion =
     {
       searches = searches (Filter.question (Part.filter o.part));
       most_states = most_states o;
-      most_levels;
+      most_at_once = most_levels;
       every = Option.map (fun ms -> float_of_int ms /. 1000.) o.begun.every;
     }
   in

@@ -10,7 +10,7 @@ type event = { rank : int; ahead : bool; choice : int; owner : int; id : int }
 type place = { level : int; owner : int; id : int }
 
 (** Why an exploration ends before everything is found: all is decided, it meets the bound of states or that of
-    levels, or no property depends on what comes later. *)
+    transitions without duration, or no property depends on what comes later. *)
 type stop = Early | States | Levels | Late
 
 type t = {
@@ -28,6 +28,7 @@ type t = {
   faults : string list;  (** in order, each once *)
   ends : string list;  (** likewise, why runs are given up *)
   too_long : int;  (** states that are not expanded since a number is too long *)
+  too_deep : int;  (** states that are not expanded after too many transitions without duration *)
 }
 
 val stop_name : stop -> string

@@ -73,9 +73,10 @@ let read_time source d clock =
     time
   end
 
-let put r ~time ~at_once ~before ~choice tuple =
+let put r ~time ~instant ~before ~choice tuple =
   put_number r.text r.sends before;
-  Packed.put_nat r.text ((2 * choice) + Bool.to_int at_once);
+  Packed.put_nat r.text ((2 * choice) + Bool.to_int (instant > 0));
+  if instant > 0 then Packed.put_nat r.text instant;
   Option.iter (fun clock -> put_time r.text r.sends clock time) r.clock;
   put_state r.text r.sends tuple
 
@@ -91,7 +92,7 @@ type arrow = { id : int; before : int; choice : int }
 let read_one r part ~sender source =
   let before = read_number source r.reads in
   let choice = Packed.nat source in
-  let at_once = choice land 1 = 1 and choice = choice / 2 in
+  let instant = if choice land 1 = 1 then Packed.nat source else 0 and choice = choice / 2 in
   let time = Option.fold ~none:0 ~some:(read_time source r.reads) r.clock in
   let changes = Wire.read_changes r.reads.wire source in
   if before < 0 then raise (Packed.Malformed "there is a number below 0");
@@ -100,7 +101,7 @@ let read_one r part ~sender source =
   (* A state that comes twice, one time after the other, differs in nothing. *)
   let last = r.reads.last in
   let changes = if changes = [||] then [| 0; last.(0) |] else changes in
-  let id = Part.enter part ~near:r.near changes last ~time ~at_once ~sender ~before ~choice in
+  let id = Part.enter part ~near:r.near changes last ~time ~instant ~sender ~before ~choice in
   Tuples.load (Part.table part) r.near id;
   r.last_id <- id;
   { id; before; choice }

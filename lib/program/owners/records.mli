@@ -9,9 +9,9 @@ type t
 val make : Part.t -> t
 (** A connection over which nothing has been sent. *)
 
-val put : t -> time:int -> at_once:bool -> before:int -> choice:int -> int array -> unit
-(** [put r ~time ~at_once ~before ~choice state] adds a state of the other owner to the text that is to be sent. [time]
-    and [at_once] are as for {!Part.enter}. *)
+val put : t -> time:int -> instant:int -> before:int -> choice:int -> int array -> unit
+(** [put r ~time ~instant ~before ~choice state] adds a state of the other owner to the text that is to be sent. [time]
+    and [instant] are as for {!Part.enter}. *)
 
 val size : t -> int
 (** The length of the text that is to be sent. *)
