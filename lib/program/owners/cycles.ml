@@ -46,7 +46,7 @@ let arc w ~source ~choice id =
 (* A transition without duration. *)
 let follow c w id tuple choice (changes : Tuples.changes) =
   let source = w.graph.number id in
-  if changes = [||] then arc w ~source ~choice id
+  if Array.length changes = 0 then arc w ~source ~choice id
   else
     let target = Tuples.apply changes tuple in
     let print = Keys.fingerprint (Filter.keys (Part.filter c.part)) target in

@@ -109,7 +109,7 @@ let find_homes e tuple ~now changed steps =
   let keys = Filter.keys (Part.filter e.part) and count = Mesh.count e.mesh and me = Mesh.number e.mesh in
   let from = Keys.fingerprint keys tuple in
   let one (n, others) (s : Lts.step) =
-    if s.changes = [||] then (n + 1, others)
+    if Array.length s.changes = 0 then (n + 1, others)
     else begin
       change changed s.changes;
       let print = e.prints.(others) in
@@ -133,7 +133,7 @@ let prepare e steps =
   let rec each n prepared = function
     | [] -> prepared
     | (s : Lts.step) :: rest ->
-      if s.changes <> [||] && e.homes.(n) = me then begin
+      if Array.length s.changes > 0 && e.homes.(n) = me then begin
         Tuples.prepare table ~near:e.near ~lasting:(not (takes_time e s.label)) s.changes prepared;
         each (n + 1) (prepared + 1) rest
       end

@@ -97,10 +97,10 @@ let read_one r part ~sender source =
   let changes = Wire.read_changes r.reads.wire source in
   if before < 0 then raise (Packed.Malformed "there is a number below 0");
   remember r.reads changes;
-  if changes = [||] && r.last_id < 0 then raise (Packed.Malformed "there is no state");
+  if Array.length changes = 0 && r.last_id < 0 then raise (Packed.Malformed "there is no state");
   (* A state that comes twice, one time after the other, differs in nothing. *)
   let last = r.reads.last in
-  let changes = if changes = [||] then [| 0; last.(0) |] else changes in
+  let changes = if Array.length changes = 0 then [| 0; last.(0) |] else changes in
   let id = Part.enter part ~near:r.near changes last ~time ~instant ~sender ~before ~choice in
   Tuples.load (Part.table part) r.near id;
   r.last_id <- id;
