@@ -7,6 +7,7 @@ type direction = {
   wire : Wire.t;
   last : int array;  (** the state before *)
   mutable before : int;
+  mutable instant : int;  (** the last one that is not 0 *)
   numbers : (int, int) Hashtbl.t;  (** of times, as they are sent, by those of the clock, or the other way round *)
 }
 
@@ -20,7 +21,7 @@ type t = {
 }
 
 let direction context =
-  { wire = Wire.make context; last = Array.make (Network_lts.width context) (-1); before = 0; numbers = Hashtbl.create 16 }
+  { wire = Wire.make context; last = Array.make (Network_lts.width context) (-1); before = 0; instant = 0; numbers = Hashtbl.create 16 }
 
 let make part =
   let context = Scc_successors.Filter.context (Part.filter part) in
@@ -73,10 +74,23 @@ let read_time source d clock =
     time
   end
 
+(* Most states that are reached without time are so by as many transitions as the one before. *)
+let put_choice buffer d ~instant choice =
+  if instant = 0 || instant = d.instant then Packed.put_nat buffer ((3 * choice) + Int.min 1 instant)
+  else begin
+    Packed.put_nat buffer ((3 * choice) + 2);
+    Packed.put_nat buffer instant;
+    d.instant <- instant
+  end
+
+let read_choice source d =
+  let n = Packed.nat source in
+  if n mod 3 = 2 then d.instant <- Packed.nat source;
+  ((if n mod 3 = 0 then 0 else d.instant), n / 3)
+
 let put r ~time ~instant ~before ~choice tuple =
   put_number r.text r.sends before;
-  Packed.put_nat r.text ((2 * choice) + Bool.to_int (instant > 0));
-  if instant > 0 then Packed.put_nat r.text instant;
+  put_choice r.text r.sends ~instant choice;
   Option.iter (fun clock -> put_time r.text r.sends clock time) r.clock;
   put_state r.text r.sends tuple
 
@@ -91,8 +105,7 @@ type arrow = { id : int; before : int; choice : int }
 
 let read_one r part ~sender source =
   let before = read_number source r.reads in
-  let choice = Packed.nat source in
-  let instant = if choice land 1 = 1 then Packed.nat source else 0 and choice = choice / 2 in
+  let instant, choice = read_choice source r.reads in
   let time = Option.fold ~none:0 ~some:(read_time source r.reads) r.clock in
   let changes = Wire.read_changes r.reads.wire source in
   if before < 0 then raise (Packed.Malformed "there is a number below 0");
