@@ -197,19 +197,21 @@ let make console o loaded paths ~identity ~room (wanted : Runs_elsewhere.wanted)
         let whole (r : Sample.run) = not r.interrupted in
         ending (Runs_elsewhere.make wanted ~of_ ~whole (Sample.run { plan with paths } ~seed ~interrupted)))
 
-let elsewhere o identity =
-  if o.elsewhere then Some (Runs_elsewhere.start ~of_:(Runs_elsewhere.digest identity)) else None
+let opened console o ~identity about =
+  let of_ = Runs_elsewhere.digest identity in
+  let elsewhere = if o.elsewhere then Some (Runs_elsewhere.start ~of_) else None in
+  Kept_runs.openly ?elsewhere console ~folder:o.store ~identity about
 
 let by_runs console o (loaded : Loaded.t) paths aim ~identity ~room =
   let plan = Estimate_options.plan o.how loaded paths in
-  let* runs = Kept_runs.openly ?elsewhere:(elsewhere o identity) console ~folder:o.store ~identity "the runs" in
+  let* runs = opened console o ~identity "the runs" in
   let answers, ending = sample_all console o runs plan aim ~room in
   Ok (answers, ending, Kept_runs.close runs)
 
 let by_splitting console o loaded paths text ~identity ~room =
   let steps = Option.value o.how.steps ~default:default_steps in
   let* path, plan = Levels.plan console loaded paths text ~effort:(effort o) ~steps in
-  let* runs = Kept_runs.openly ?elsewhere:(elsewhere o identity) console ~folder:o.store ~identity "the repetitions" in
+  let* runs = opened console o ~identity "the repetitions" in
   let made, ending = split console o runs plan ~room in
   let summary = Splitting.summary plan made ~confidence:o.how.confidence in
   Ok (Option.to_list (Option.map (Estimation.of_splitting path) summary), ending, Kept_runs.close runs)
@@ -318,8 +320,8 @@ let options =
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ checks $ properties $ Estimate_options.term
-       $ Run_options.seconds $ Run_options.jobs $ Check_options.memory () $ store_option $ levels $ effort $ elsewhere
-       $ make_option))
+       $ Run_options.seconds $ Run_options.jobs $ Check_options.memory () $ store_option $ levels $ effort
+       $ elsewhere $ make_option))
 
 let command =
   let told =

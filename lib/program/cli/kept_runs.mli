@@ -26,9 +26,10 @@ val run :
   interrupted:(unit -> bool) ->
   each:(int -> 'a -> unit) ->
   (unit, Scc_workers.Pool.stop) result
-(** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call
-    continues: [first] is where the last call ended. With [patience], tasks that are under way at an interruption
-    may return what they have. [turn] (default: 0) is for those who work elsewhere. Only results that are [whole] (default: all) are stored. *)
+(** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call continues:
+    [first] is where the last call ended. With [patience], tasks that are under way at an interruption may return
+    what they have. [turn] (default: 0) is for those who work elsewhere. Only results that are [whole] (default:
+    all) are stored. *)
 
 val lost : what:string -> task:int -> how:string -> string
 (** The loss of a task as a clause: ["run 7 is lost: a process was killed"]. [what] names a task. *)

@@ -64,13 +64,16 @@ exception Stop
 
 let of_hex line =
   let n = String.length line in
-  let digit c = match c with '0' .. '9' -> Char.code c - 48 | 'a' .. 'f' -> Char.code c - 87 | _ -> raise Exit in
+  let digit c =
+    match c with '0' .. '9' -> Char.code c - 48 | 'a' .. 'f' -> Char.code c - 87 | _ -> raise Exit
+  in
   if n land 1 = 1 then None
   else
     match String.init (n / 2) (fun k -> Char.chr ((16 * digit line.[2 * k]) + digit line.[(2 * k) + 1])) with
     | text when String.length text > check_size ->
       let bytes = String.sub text check_size (String.length text - check_size) in
-      if String.equal (check bytes) (String.sub text 0 check_size) then Some (Marshal.from_string bytes 0) else None
+      let is_whole = String.equal (check bytes) (String.sub text 0 check_size) in
+      if is_whole then Some (Marshal.from_string bytes 0) else None
     | _ -> None
     | exception Exit -> None
 

@@ -3,6 +3,7 @@ open Scc_exact
 open Scc_ctl
 open Scc_codec
 open Progress
+open Asked
 module Times = Map.Make (Rat)
 
 type settings = {
@@ -11,14 +12,6 @@ type settings = {
   horizon : Rat.t option;
   most_states : int;
   most_rounds : int option;
-}
-
-(* What is known of a goal; the same at all owners but for the doubts. *)
-type goal = {
-  within : Rat.t option;
-  mutable met : Round.event option;  (** at the earliest moment that is known *)
-  mutable decided : bool;
-  mutable doubtful : bool;  (** it is undecided in some state of this owner, in time *)
 }
 
 type t = {
@@ -37,30 +30,16 @@ type t = {
 }
 
 let make part clock mesh expansion (settings : settings) ~show =
-  let goal within = { within; met = None; decided = false; doubtful = false } in
-  let goals = Array.map goal settings.within in
+  let goals = Array.map Asked.goal settings.within in
   { part; clock; mesh; expansion; settings; show; goals; days = Times.empty; turns = 0; left = []; cut = [] }
 
 let me s = Mesh.number s.mesh
 let arrival s id = Clock.time s.clock (Clock.arrival s.clock id)
-let attained time : Timeline.moment = { offset = Algebraic.of_rat time; attained = true }
-let counts (g : goal) time = match g.within with None -> true | Some bound -> Rat.compare time bound <= 0
 
 (* Whether anything is asked of states that are reached at a time. *)
-let asks time g = (not g.decided) && counts g time
 let asked s time = (not s.settings.searches) || Array.exists (asks time) s.goals
 
 (* {1 Expanding} *)
-
-(* Of what is found with one state: new states come first, in order, then known ones that become earlier, and last
-   what holds after it. *)
-let phase = 1 lsl 29
-
-let place_of ~is_first choice =
-  if choice >= phase then Failure.lost "a limit of resources: a state with more than 2^29 transitions";
-  if is_first then choice else phase + choice
-
-let place_after = 2 * phase
 
 type expanded = {
   order : int array;
@@ -90,7 +69,7 @@ let note s x ~now id turn (note : Expansion.note) =
   | Ahead { goal; met; doubtful } ->
     (match met with
      | Some m when in_time goal m ->
-       x.ahead <- (goal, { moment = moment_of m; turn; place = place_after; owner = me s; id }) :: x.ahead
+       x.ahead <- (goal, { moment = moment_of m; turn; place = Touched.place_after; owner = me s; id }) :: x.ahead
      | Some _ | None -> ());
     (match doubtful with
      | Some m when in_time goal m -> s.goals.(goal).doubtful <- true
@@ -125,38 +104,14 @@ let expand s now =
 
 (* {1 What was found} *)
 
-(* A state that has come, or has become earlier, as it is at the end of the round. *)
-type touched = {
-  id : int;
-  time : Rat.t;
-  first : Clock.first option;  (** of a new one, the transition by which it was found first *)
-  before : int;  (** the turn of the state before, on the earliest way *)
-  place : int;
-}
-
-let compare_touched a b = Int.compare a.before b.before <?> fun () -> Int.compare a.place b.place
-
-(* In the order in which a single search would find them. *)
-let touched s =
-  let one (id, (first : Clock.first option)) =
-    let way = Part.way s.part id in
-    let is_first = match first with Some f -> f.before = way.before && f.choice = way.choice | None -> false in
-    if Option.is_none first then Part.look_again s.part id;
-    { id; time = arrival s id; first; before = way.before; place = place_of ~is_first way.choice }
-  in
-  let all = Array.of_list (List.map one (Clock.touched s.clock)) in
-  Array.sort compare_touched all;
-  Clock.close s.clock;
-  all
-
 (* By goal, the states of this owner at whose arrival it is met. *)
-let events s all (hits : Part.hit list) =
+let events s (all : Touched.t array) (hits : Part.hit list) =
   let by_id = Hashtbl.create 16 in
-  if hits <> [] then Array.iter (fun t -> Hashtbl.replace by_id t.id t) all;
+  if hits <> [] then Array.iter (fun (t : Touched.t) -> Hashtbl.replace by_id t.id t) all;
   let add events (h : Part.hit) =
     match Hashtbl.find_opt by_id h.id with
     | None -> events
-    | Some t ->
+    | Some (t : Touched.t) ->
       let goal = s.goals.(h.goal) in
       if not (counts goal t.time) then events
       else if h.sure then
@@ -187,7 +142,7 @@ let least_turn s (time, ids) =
 
 let next_day s all =
   let known = Option.map (least_turn s) (Times.min_binding_opt s.days) in
-  let add best t =
+  let add best (t : Touched.t) =
     if Part.is_too_long s.part t.id then best
     else
       match best with
@@ -196,16 +151,14 @@ let next_day s all =
   in
   Array.fold_left add known all
 
-let is_new t = Option.is_some t.first
-
 let round_of s (p : Progress.t) x all events ~upto : Round.t =
-  let count f = Array.fold_left (fun n t -> if f t then n + 1 else n) 0 all in
+  let count f = Array.fold_left (fun n (t : Touched.t) -> if f t then n + 1 else n) 0 all in
   let is_unknown text = not (List.mem text p.faults) in
   {
-    found = count is_new;
+    found = count Touched.is_new;
     ranked = Array.length all;
     transitions = Array.fold_left ( + ) 0 x.counts;
-    too_long = count (fun t -> is_new t && Part.is_too_long s.part t.id);
+    too_long = count (fun t -> Touched.is_new t && Part.is_too_long s.part t.id);
     opened = List.fold_left (fun _ turn -> if turn <= upto then Some turn else None) None x.opened;
     met = first_events s events ~upto;
     next = next_day s all;
@@ -231,7 +184,7 @@ let agree s ~low keys mine =
 
 (* The last turn that may be expanded where states are bounded: the one after it finds too many. *)
 let last_turn s ~low mine all ~room =
-  let firsts = List.filter_map (fun t -> t.first) (Array.to_list all) in
+  let firsts = List.filter_map (fun (t : Touched.t) -> t.first) (Array.to_list all) in
   let keys = Array.of_list (List.map (fun (f : Clock.first) -> (f.before, f.choice)) firsts) in
   Array.sort compare keys;
   let _, ranks = agree s ~low keys mine in
@@ -246,48 +199,25 @@ let up_to s x all last =
     if Clock.turn s.clock id <= last then transitions := !transitions + x.counts.(k) else s.cut <- id :: s.cut
   in
   Array.iteri count x.order;
-  let is_before n t = match t.first with Some f when f.before <= last -> n + 1 | Some _ | None -> n in
+  let is_before n (t : Touched.t) =
+    match t.first with Some f when f.before <= last -> n + 1 | Some _ | None -> n
+  in
   match Mesh.sums s.mesh [ !transitions; Array.fold_left is_before 0 all ] with
   | [ transitions; found ] -> (transitions, found)
   | _ -> (0, 0)
 
-(* Decides what a round decides, and is the turn with which each of the goals was decided that were still asked
-   for. *)
-let decide s now (r : Round.t) =
-  let here = attained now in
-  let not_later (e : Round.event option) =
-    match e with Some e -> Timeline.compare_moment e.moment here <= 0 | None -> false
-  in
-  let one k g =
-    if asks now g then begin
-      match r.opened with
-      | Some turn when not_later g.met ->
-        g.decided <- true;
-        Some turn
-      | Some _ | None ->
-        let strictly_earlier (e : Round.event) =
-          match g.met with Some known -> Timeline.compare_moment e.moment known.moment < 0 | None -> true
-        in
-        (match r.met.(k) with Some e when strictly_earlier e -> g.met <- Some e | Some _ | None -> ());
-        if not_later g.met then begin
-          g.decided <- true;
-          Option.map (fun (e : Round.event) -> e.turn) g.met
-        end
-        else None
-    end
-    else None
-  in
-  let turns = Array.mapi one s.goals in
+let decide s now round =
+  let last = Asked.decide s.goals now round in
   Array.iteri (fun k g -> if g.decided then Part.found s.part k) s.goals;
-  Array.fold_left (Option.merge Int.max) None turns
+  last
 
 (* {1 Rounds} *)
 
 let enter_days s all ranks =
-  let put k t =
+  let put k (t : Touched.t) =
     Clock.set_turn s.clock t.id (s.turns + ranks.(k));
     if Part.is_too_long s.part t.id then begin
-      if is_new t then s.left <- t.id :: s.left
+      if Touched.is_new t then s.left <- t.id :: s.left
     end
     else
       let day =
@@ -304,9 +234,9 @@ let enter_days s all ranks =
 
 let next s (p : Progress.t) ~now ~low =
   let x = expand s now in
-  let all = touched s in
+  let all = Touched.all s.part s.clock in
   let events = x.ahead @ events s all (Part.hits s.part) in
-  let keys = Array.map (fun t -> (t.before, t.place)) all in
+  let keys = Array.map (fun (t : Touched.t) -> (t.before, t.place)) all in
   let r, ranks = agree s ~low keys (round_of s p x all events ~upto:max_int) in
   let room = s.settings.most_states - p.states in
   let r, bound =
@@ -327,7 +257,9 @@ let next s (p : Progress.t) ~now ~low =
   in
   enter_days s all ranks;
   s.turns <- s.turns + r.ranked;
-  let within turn = match last with Some last -> turn <= last | None -> true in
+  let within (text, turn) =
+    match last with Some last when turn > last -> None | Some _ | None -> Some text
+  in
   let p =
     {
       p with
@@ -336,7 +268,7 @@ let next s (p : Progress.t) ~now ~low =
       states = p.states + found;
       transitions = p.transitions + transitions;
       stop = (if last = None then None else if asked s now then Some States else Some Early);
-      faults = add p.faults (List.filter_map (fun (text, turn) -> if within turn then Some text else None) r.faults);
+      faults = add p.faults (List.filter_map within r.faults);
       ends = add p.ends r.ends;
       too_long = p.too_long + r.too_long;
     }

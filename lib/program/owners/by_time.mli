@@ -1,7 +1,7 @@
 (** Owners that take states in the order of the earliest times at which they are reached, and states of one time
-    step by step: the numbers, verdicts and runs are those of a single search in this order ({!Scc_ctl.On_the_fly}).
-    So goals with bounds of time are decided. A round is the states of one time that are known when it begins. In
-    each round there are three rounds of messages between all owners, as in {!In_step}. *)
+    step by step. The numbers, verdicts and runs are those of a single search in this order
+    ({!Scc_ctl.On_the_fly}). So goals with bounds of time are decided. A round is the states of one time that are
+    known when it begins. In each round there are three rounds of messages between all owners, as in {!In_step}. *)
 
 open Scc_exact
 

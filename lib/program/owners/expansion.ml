@@ -27,7 +27,12 @@ let make part mesh records ~sent =
   let context = Filter.context (Part.filter part) in
   let duration = Scc_state_space.Network_lts.duration context in
   let timed = Timed_labels.create ~duration ~transitions:(Scc_state_space.Network_lts.transitions context) in
-  { part; mesh; records; sent; timed; near = Tuples.spread (Part.table part); homes = [||]; prints = [||]; touched = 0; round = 0; marks = Growable.create () }
+  {
+    part; mesh; records; sent; timed;
+    near = Tuples.spread (Part.table part);
+    homes = [||]; prints = [||]; touched = 0; round = 0;
+    marks = Growable.create ();
+  }
 
 let state = 'R'
 

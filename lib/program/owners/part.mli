@@ -41,24 +41,27 @@ val enter :
   before:int ->
   choice:int ->
   int
-(** [enter p ~near changes target ~time ~instant ~sender ~before ~choice] is the number of the state [target], which differs
-    by the changes from the one that is loaded in [near]. It is inserted if it is new. If it is not, but has come
-    since {!close} was called, the way with the least [before] counts, and of several of these the one with the
-    least [choice]. With a clock, [time] is the number of the time at which it is reached by this way. The earliest
-    way counts, and of those of one round that are as early the first. [instant] is the number of transitions
-    without duration with which the way ends. *)
+(** [enter p ~near changes target ~time ~instant ~sender ~before ~choice] is the number of the state [target],
+    which differs by the changes from the one that is loaded in [near]. It is inserted if it is new. If it is
+    not, but has come since {!close} was called, the way with the least [before] counts, and of several of these
+    the one with the least [choice]. With a clock, [time] is the number of the time at which it is reached by
+    this way. The earliest way counts, and of those of one round that are as early the first. [instant] is the
+    number of transitions without duration with which the way ends. *)
 
 val close : t -> unit
 (** The ways of all states that are there are final. *)
 
-val enter_prepared : t -> int -> int array -> time:int -> instant:int -> sender:int -> before:int -> choice:int -> unit
-(** [enter_prepared p n target ~time ~instant ~sender ~before ~choice] is {!enter} for the [n]-th tuple of a round of {!table}. *)
+val enter_prepared :
+  t -> int -> int array -> time:int -> instant:int -> sender:int -> before:int -> choice:int -> unit
+(** [enter_prepared p n target ~time ~instant ~sender ~before ~choice] is {!enter} for the [n]-th tuple of a
+    round of {!table}. *)
 
 val look_again : t -> int -> unit
 (** The goals that hold in a state are among the next {!hits} again. *)
 
 val again : t -> int -> time:int -> instant:int -> sender:int -> before:int -> choice:int -> unit
-(** [again p id ~time ~instant ~sender ~before ~choice] is {!enter} for a state that is known to be there, with that number. *)
+(** [again p id ~time ~instant ~sender ~before ~choice] is {!enter} for a state that is known to be there, with
+    that number. *)
 
 val way : t -> int -> way
 (** How a state was first found. *)

@@ -77,4 +77,7 @@ let read s =
   let doubts = Array.of_list (Packed.list s read_bool) in
   let faults = Packed.list s Packed.text in
   let ends = Packed.list s Packed.text in
-  { level; depth; width; states; transitions; met; doubts; open_ = None; stop = None; faults; ends; too_long; too_deep }
+  {
+    level; depth; width; states; transitions; met; doubts; faults; ends; too_long; too_deep;
+    open_ = None; stop = None;
+  }

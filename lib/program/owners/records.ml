@@ -21,7 +21,11 @@ type t = {
 }
 
 let direction context =
-  { wire = Wire.make context; last = Array.make (Network_lts.width context) (-1); before = 0; instant = 0; numbers = Hashtbl.create 16 }
+  {
+    wire = Wire.make context; last = Array.make (Network_lts.width context) (-1);
+    before = 0; instant = 0;
+    numbers = Hashtbl.create 16;
+  }
 
 let make part =
   let context = Scc_successors.Filter.context (Part.filter part) in

@@ -15,7 +15,8 @@ type t = {
   too_long : int;  (** new states that are not to be expanded *)
   opened : int option;  (** the turn of the first state whose transitions were computed *)
   met : event option array;  (** by goal: the earliest moment *)
-  next : (Rat.t * int) option;  (** the earliest time of states to be expanded, and the least turn that they may have *)
+  next : (Rat.t * int) option;
+  (** the earliest time of states to be expanded, and the least turn that they may have *)
   faults : (string * int) list;  (** each once, with the first turn *)
   ends : string list;  (** each once *)
 }

@@ -20,7 +20,8 @@ let put_level f part levels records level =
     Packed.put_nat f.buffer way.sender;
     Packed.put_nat f.buffer (Levels.rank levels id);
     Tuples.load (Part.table part) near id;
-    Records.put records ~time:0 ~instant:(Part.instant part id) ~before:way.before ~choice:way.choice (Tuples.slots near);
+    let instant = Part.instant part id in
+    Records.put records ~time:0 ~instant ~before:way.before ~choice:way.choice (Tuples.slots near);
     Buffer.add_string f.buffer (Records.take records);
     if Buffer.length f.buffer > enough then drain f
   done
