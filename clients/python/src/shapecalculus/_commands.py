@@ -136,6 +136,9 @@ def check(given: Any, out: Write) -> int:
         unwritten = e  # The report is told all the same.
     text = as_json(report) if given.json else as_text(report)
     out(text.encode("utf-8", "backslashreplace"))
+    if report.unkept:
+        names = ", ".join("`%s`" % name for name in report.unkept)
+        sys.stderr.write("scc-cluster: nothing was kept of %s: bounds of time need the order of time\n" % names)
     sys.stderr.write(advice(report, time.monotonic() - begin))
     if unwritten is not None:
         raise unwritten

@@ -10,8 +10,8 @@ import tempfile
 from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
-from ._guard import USAGE, VERDICTS
-from ._parts import PARTS, Done, PartsProgress, Tries, failed, run
+from ._guard import FAULT, STOPPED, UNWRITTEN, USAGE, VERDICTS
+from ._parts import INVALID, PARTS, Done, PartsProgress, Tries, failed, run
 from ._program import scc_path, why_not
 from ._ray import Gauges, connect, told
 from ._spread import Place, defined, option
@@ -39,11 +39,14 @@ def do_runs(question: Question, turn: int, first: int, upto: int, of: str) -> Do
     if done.code != 0:
         return done
     lines = done.text.splitlines(keepends=True)
-    about = json.loads(lines[0]) if lines else {}
-    if about.get("of") != of:
-        return Done(3, "%s or scc is another one on some machine than here\n" % question.model, b"")
+    try:
+        made = json.loads(lines[0])["of"]
+    except (ValueError, LookupError, TypeError, RecursionError):
+        return Done(FAULT, "scc does not say of what the runs are that it makes\n", b"")
+    if made != of:
+        return Done(INVALID, "%s or scc is another one on some machine than here\n" % question.model, b"")
     if len(lines) != 1 + upto - first or not done.text.endswith(b"\n"):
-        return Done(70, "scc has not made the runs %d to %d\n" % (first, upto - 1), b"")
+        return Done(FAULT, "scc has not made the runs %d to %d\n" % (first, upto - 1), b"")
     return Done(0, done.said, b"".join(lines[1:]))
 
 
@@ -130,7 +133,7 @@ def estimated(
             judge.wait()
         said.seek(0)
         outcome = Done(code, said.read().decode(errors="replace"), text)
-    if code not in (*VERDICTS, 3, 4, 64, 74) or code in VERDICTS and not text:
+    if code not in (*VERDICTS, INVALID, STOPPED, USAGE, UNWRITTEN) or code in VERDICTS and not text:
         raise failed(outcome, "the estimate")
     write(text)
     return outcome

@@ -75,6 +75,7 @@ class Report:
     recovered: int = 0  #: how often owners were lost and started again
     seconds: float = 0.0  #: of the explorations, without the start of Ray and of the owners
     owners: int = 0
+    unkept: List[str] = field(default_factory=list)  #: properties of which nothing is kept, though that was asked for
 
 
 # Verdicts -----------------------------------------------------------------------------
@@ -203,7 +204,8 @@ def check(
         for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
             here = address is None
-            explored(ray, model, of_this, scc, owners, folder, states, order, memory, here, progress, disturb, report)
+            keeps = checkpoint is not None
+            explored(ray, model, of_this, scc, owners, folder, states, order, memory, here, keeps, progress, disturb, report)
     return report
 
 
@@ -230,6 +232,7 @@ def explored(
     order: str,
     memory: Optional[int],
     here: bool,
+    keeps: bool,
     progress: Optional[Callable[[Progress], None]],
     disturb: Optional[Callable[[Any], None]],
     report: Report,
@@ -242,6 +245,7 @@ def explored(
         order = "time"
     if order != "levels":
         folder = None
+        report.unkept += [c["name"] for c in header["checks"] if keeps and not c["premise"]]
     asked: Dict[str, Any] = {"states": states, "order": order}
     if memory is not None:
         asked["memory"] = memory
