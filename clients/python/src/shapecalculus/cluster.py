@@ -10,6 +10,7 @@ report = cluster.check("model.sc", address="ray://head:10001")    # on a cluster
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
@@ -137,17 +138,28 @@ def has_bounds(header: Any) -> bool:
 BOUNDS = "%s: bounds of time need the order of time, and not --order any"
 
 
+#: Probabilities and means, of which runs tell something.
+NUMBER = re.compile(r"[PE]( min| max)? *(=|<|>)")
+
+
+def listed(checks: Sequence[Any]) -> str:
+    return ", ".join("`%s`" % c["name"] for c in checks)
+
+
 def served(header: Any, searches: bool, order: str) -> None:
-    other = ["`%s`" % c["name"] for c in header["checks"] if c["plan"] is None and not c["premise"]]
+    other = [c for c in header["checks"] if c["plan"] is None and not c["premise"]]
     if other and not searches:
+        numbers = [c for c in other if NUMBER.match(c["formula"])]
         are = "is more than a search" if len(other) == 1 else "are more than searches"
+        advice = "`scc check` decides this; "
+        if numbers:
+            advice += "`scc-cluster estimate` tells of %s from runs; " % listed(numbers)
         raise NotServed(
-            "%s %s for a state (operators of time within others, or probabilities): `scc check` decides this; "
-            "with --searches all else is decided here" % (", ".join(other), are)
+            "%s %s for a state (operators of time within others, probabilities or means): %swith --searches all else "
+            "is decided here" % (listed(other), are, advice)
         )
     if order == "any" and has_bounds(header):
-        names = ", ".join("`%s`" % c["name"] for c in header["checks"] if not c["premise"])
-        raise NotServed(BOUNDS % names)
+        raise NotServed(BOUNDS % listed([c for c in header["checks"] if not c["premise"]]))
 
 
 def arguments_of(defines: Dict[str, str], checks: Sequence[str], options: Sequence[str]) -> List[str]:
