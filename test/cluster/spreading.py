@@ -61,7 +61,7 @@ def long_sweep(scc):
 
 
 def long_estimation(scc):
-    path, options = model('brownian.sc'), ['--property', 'P = ? [ eventually bound(ligand, pocket) within 30 ]', '--width', '1/50']
+    path, options = model('brownian.sc'), ['--property', 'P = ? [ eventually bound(ligand, pocket) within 30 ]', '--width', '1/20']
     expected = json.loads(scc_bytes(scc, 'estimate', path, *options, '--json')[0])
     return expected, lambda **more: cluster.estimate(path, options=options, scc=scc, **more)
 

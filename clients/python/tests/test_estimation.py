@@ -9,7 +9,7 @@ from shapecalculus._estimation import Question, Runs, do_runs
 from shapecalculus._parts import Done
 from shapecalculus._waiting import ClusterFailed
 
-ASKED = {"wanted": {"turn": 1, "from": 10, "to": 13}, "of": "x"}
+ASKED = {"wanted": {"turn": 1, "from": 10, "to": 40}, "of": "x"}
 
 
 class Lost(Exception):
@@ -77,7 +77,7 @@ class Parts(unittest.TestCase):
 
     def test_runs_are_in_order_however_they_come(self):
         does = lambda turn, first, upto, of: Done(0, "", b"%d\n" % first)  # noqa: E731
-        self.assertEqual(self.all_of(does), b"10\n11\n12\n")
+        self.assertEqual(self.all_of(does), b"10\n20\n30\n")
 
     def test_what_is_lost_is_made_again(self):
         tried = []
@@ -88,7 +88,7 @@ class Parts(unittest.TestCase):
                 raise Lost
             return Done(4, "", b"") if tried.count(first) == 2 else Done(0, "", b"%d\n" % first)
 
-        self.assertEqual(self.all_of(does), b"10\n11\n12\n")
+        self.assertEqual(self.all_of(does), b"10\n20\n30\n")
         self.assertEqual(len(tried), 9)
 
     def test_what_fails_again_and_again(self):

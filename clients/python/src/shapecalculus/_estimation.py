@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
 from ._guard import FAULT, STOPPED, UNWRITTEN, USAGE, VERDICTS
-from ._parts import INVALID, PARTS, Done, PartsProgress, Tries, failed, run
+from ._parts import INVALID, Done, PartsProgress, Tries, failed, run
 from ._program import scc_path, why_not
 from ._ray import Gauges, connect, told
 from ._spread import Place, defined, option
@@ -19,6 +19,10 @@ from ._waiting import MANY, ClusterFailed, ready
 
 #: The beginning of a line that asks for runs; everything after the last one is the report.
 WANTED = b'{"wanted":'
+
+#: Each part reads the model anew: it has so many runs at least, and each processor so many parts at most.
+RUNS_OF_PART = 10
+PARTS_OF_CORE = 4
 
 
 @dataclass(frozen=True)
@@ -57,13 +61,13 @@ class Runs:
         self.ray, self.tries = ray, Tries(ray)
         self.question = Question(os.path.abspath(question.model), question.arguments, question.scc)
         self.task = self.tries.task(do_runs)
-        self.parts = max(PARTS, 8 * int(ray.cluster_resources().get("CPU", 1)))
+        self.parts = PARTS_OF_CORE * int(ray.cluster_resources().get("CPU", 1))
 
     def make(self, asked: Any, write: Callable[[bytes], None]) -> None:
         """Those that are asked for, in order, each part as soon as it and those before it are there."""
         wanted, of = asked["wanted"], asked["of"]
         first, count = wanted["from"], wanted["to"] - wanted["from"]
-        parts = min(count, self.parts)
+        parts = max(1, min(count // RUNS_OF_PART, self.parts))
         self.tries.of = {}
 
         def start(k: int) -> Any:
