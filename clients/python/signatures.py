@@ -14,7 +14,7 @@ import sys
 import textwrap
 
 # Options that are no arguments: how scc prints. The functions choose it.
-OURS = {"--json", "--color", "--help", "--version", "--progress"}
+OURS = {"--json", "--color", "--help", "--version", "--progress", "--elsewhere", "--make"}
 
 # By the name of the value: its type, and the function of _source that makes words of it.
 KINDS = {

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Explores models by several owners (`scc successors --owner K/N`), and compares with `scc check --no-reduce order,draws`:
-the numbers of states and transitions, the depth, the verdicts, and the runs that show them.
+the numbers of states and transitions, the depth, the verdicts, and the runs that show them. In the order of time, with
+`scc check --shortest time`. With --each, each property by itself: most explorations end early then.
 
-    owners_test.py SCC [--states N] [--least N] [--owners N,...] [--order levels|any] MODEL ...
+    owners_test.py SCC [--states N] [--least N] [--owners N,...] [--order levels|time|any] [--each] MODEL ...
 
 What is done here of owners is what specs/successors.md says, and no more.
 """
@@ -73,30 +74,30 @@ def verdict(plan, found, runs):
         sought = kind == 'possibly'
         if of in runs:
             return sought
-        complete = found['stopped'] is None and not found['faults'] and not found['too_long']
-        return (not sought) if complete and of not in found['doubts'] else None
+        return (not sought) if of not in found['open'] and of not in found['doubts'] else None
     parts = [verdict(p, found, runs) for p in of]
     decisive = kind == 'any'
     return decisive if decisive in parts else None if None in parts else not decisive
 
 
-def served(header, complete):
-    return header['horizon'] is None and all(g['within'] is None for g in header['goals']) \
-        and (complete or all(c['plan'] is not None for c in header['checks']))
+def served(header, complete, order):
+    """Without bounds of time, unless that is the order; what is more than a search may end scc check earlier or later."""
+    bounded = header['horizon'] is not None or any(g['within'] is not None for g in header['goals'])
+    return (order == 'time' or not bounded) and (complete or all(c['plan'] is not None for c in header['checks']))
 
 
-def compared(scc, path, there, count, order, states, folder):
+def compared(scc, path, there, count, order, states, folder, named=()):
     """What one exploration finds, and what is wrong with it; None where it is not one to compare."""
     number, last = 0, 1
     sums, wrong = [0, 0, 0, True], []
     while number < last:
         number += 1
-        owners = Owners(scc, path, number, count)
+        owners = Owners(scc, path, number, count, named)
         if owners.header is None:
             owners.stop()
             return None
         last = owners.header['explorations']
-        if not served(owners.header, there['explored']['complete']):
+        if not served(owners.header, there['explored']['complete'], order):
             owners.stop()
             return None
         found = owners.explore(order=order, states=states)
@@ -106,6 +107,8 @@ def compared(scc, path, there, count, order, states, folder):
         explored, runs = found['found'], {r['goal']: r['choices'] for r in found['runs']}
         complete = found['stopped'] is None and not found['faults'] and not found['too_long']
         sums = [sums[0] + explored['states'], sums[1] + explored['transitions'], max(sums[2], explored['depth']), sums[3] and complete]
+        if order != 'any' and (owners.header['explorations'] == 1 or found['cycle'] is not None):
+            wrong += cycle_differs(scc, path, number, found['cycle'], there['zeno'], named)
         verdicts = {p['name']: p['verdict'] for p in there['properties']}
         for c in owners.header['checks']:
             if c['plan'] is None or c['premise']:
@@ -116,18 +119,32 @@ def compared(scc, path, there, count, order, states, folder):
                 wrong.append('%s: %s, and check says %s' % (c['name'], here, said))
             (kind, goal), = c['plan'].items()
             if kind in ('possibly', 'always') and goal in runs:
-                wrong += replayed(scc, path, number, c['name'], goal, runs[goal], folder, order)
-    if order == 'levels' or there['explored']['complete'] and sums[3]:
+                wrong += replayed(scc, path, number, c['name'], goal, runs[goal], folder, order, named)
+    if order != 'any' or there['explored']['complete'] and sums[3]:
         names = ['states', 'transitions', 'depth', 'complete']
         for name, here in zip(names, sums):
-            if here != there['explored'][name] and not (name == 'depth' and order == 'any'):
+            if here != there['explored'][name] and not (name == 'depth' and order != 'levels'):
                 wrong.append('%s: %s, and check has %s' % (name, here, there['explored'][name]))
     return wrong
 
 
-def replayed(scc, path, exploration, name, goal, choices, folder, order):
+def cycle_differs(scc, path, exploration, found, there, named):
+    """Of a cycle in which no time passes: whether it is that of check, in numbers and labels."""
+    if found is None or there is None:
+        return [] if found is there else ['a cycle without time: %s, and check has %s' % (found, there and there['cycle'])]
+    lines = Filter(scc, path, exploration, named)
+    answer = lines.ask(json.dumps({'cycle': found['from'], 'choices': found['choices']}))
+    lines.close()
+    if 'error' in answer:
+        return ['the cycle is refused: %s' % answer['error']]
+    here = [choice['label'] for choice in answer['schedule']['choices']]
+    same = answer['cycle'] == there['cycle'] and here == [step['label']['text'] for step in there['steps']]
+    return [] if same else ['another cycle than that of check']
+
+
+def replayed(scc, path, exploration, name, goal, choices, folder, order, named):
     """Whether the run is one, and the same as that of check where owners go in step."""
-    lines = Filter(scc, path, exploration)
+    lines = Filter(scc, path, exploration, named)
     answer = lines.run(goal, choices)
     lines.close()
     if 'error' in answer:
@@ -146,27 +163,33 @@ def main():
     parser.add_argument('--states', type=int, default=3000)
     parser.add_argument('--least', type=int, default=0)
     parser.add_argument('--owners', default='1,2,3')
-    parser.add_argument('--order', choices=['levels', 'any'], default='levels')
+    parser.add_argument('--order', choices=['levels', 'time', 'any'], default='levels')
+    parser.add_argument('--each', action='store_true')
     parser.add_argument('--verbose', action='store_true')
     given = parser.parse_args()
     done, failed = 0, 0
     for path in given.models:
         with tempfile.TemporaryDirectory() as folder:
-            there = checked(given.scc, path, given.states, folder)
-            if 'explored' not in there:
+            shortest = ['--shortest', 'time'] if given.order == 'time' else []
+            whole = checked(given.scc, path, given.states, folder, *shortest)
+            if 'explored' not in whole:
                 continue
-            for count in map(int, given.owners.split(',')):
-                wrong = compared(given.scc, path, there, count, given.order, given.states, folder)
-                if given.verbose:
-                    print(path, count, 'not compared' if wrong is None else 'same' if not wrong else 'DIFFERS', flush=True)
-                if wrong is None:
-                    break
-                for text in wrong:
-                    print('%s, %d owners: %s' % (path, count, text))
-                failed += bool(wrong)
-            else:
-                done += 1
-    print('%d models compared, %d differ' % (done, failed))
+            for name in [p['name'] for p in whole['properties']] if given.each else [None]:
+                named = [] if name is None else ['--check', name]
+                there = checked(given.scc, path, given.states, folder, *shortest, *named) if named else whole
+                for count in map(int, given.owners.split(',')):
+                    wrong = compared(given.scc, path, there, count, given.order, given.states, folder, named)
+                    if given.verbose:
+                        said = 'not compared' if wrong is None else 'DIFFERS' if wrong else 'same'
+                        print(path, name or '', count, said, flush=True)
+                    if wrong is None:
+                        break
+                    for text in wrong:
+                        print('%s %s, %d owners: %s' % (path, name or '', count, text))
+                    failed += bool(wrong)
+                else:
+                    done += 1
+    print('%d %s compared, %d differ' % (done, 'properties' if given.each else 'models', failed))
     sys.exit(1 if failed or done < given.least else 0)
 
 

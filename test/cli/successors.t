@@ -58,7 +58,7 @@ A run that was found is replayed, and made a schedule:
   {"error":{"code":"SC0923","message":"step 2: there is no transition 1"}}
   {"error":{"code":"SC0923","message":"there is no goal 7"}}
   {"error":{"code":"SC0923","message":"this is not JSON"}}
-  {"error":{"code":"SC0923","message":"a run is {\"goal\": a number, \"choices\": [numbers]}"}}
+  {"error":{"code":"SC0923","message":"a run is {\"goal\": a number, \"choices\": [numbers]}, or one with \"cycle\" instead"}}
 
 Batches of columns. Kind 1 of the initial state, and then one that is no frame:
 

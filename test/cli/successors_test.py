@@ -22,8 +22,8 @@ class Filter:
 
     framing = 'lines'
 
-    def __init__(self, scc, model, exploration):
-        command = [scc, 'successors', model, '--exploration', str(exploration), '--framing', self.framing]
+    def __init__(self, scc, model, exploration, arguments=()):
+        command = [scc, 'successors', model, '--exploration', str(exploration), '--framing', self.framing, *arguments]
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.header = json.loads(self.process.stdout.readline() or 'null')
 
@@ -261,8 +261,8 @@ class Search:
 FRAMINGS = {'lines': Filter, 'batches': Batches, 'news': News}
 
 
-def checked(scc, model, states, folder):
-    command = [scc, 'check', model, '--no-reduce', 'order,draws', '--json', '--states', str(states), '--witness', folder]
+def checked(scc, model, states, folder, *options):
+    command = [scc, 'check', model, '--no-reduce', 'order,draws', '--json', '--states', str(states), '--witness', folder, *options]
     return json.loads(subprocess.run(command, stdout=subprocess.PIPE).stdout)
 
 

@@ -1,6 +1,5 @@
 """Checks, simulations and sweeps on a cluster of Ray, beside those of scc: see `run`."""
 
-import contextlib
 import os
 import signal
 import sys
@@ -49,8 +48,7 @@ def with_nodes(scc, times):
             pids = [raylet, *support.children(raylet)]
             owners = sum('ray::Owner' in support.title(pid) for pid in pids)
             for pid in pids:
-                with contextlib.suppress(ProcessLookupError):
-                    os.kill(pid, signal.SIGKILL)
+                support.killed(pid)
             several.remove_node(node, allow_graceful=False)
             hits.append('node')
             print('killed: a node with %d owners' % owners, flush=True)

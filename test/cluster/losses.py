@@ -8,6 +8,7 @@ import subprocess
 import tempfile
 import time
 
+import support
 from support import BONDS, awaited, children, command, in_words, model, report_of, scc_bytes, tell, there, title
 
 CHECK = ['check', BONDS, '-D', 'n=20', '--owners', '2', '--json']
@@ -77,7 +78,7 @@ def ended(p, written, all_of_it, within):
     except subprocess.TimeoutExpired:
         os.killpg(p.pid, signal.SIGKILL)
         for pid in there(all_of_it):
-            os.kill(pid, signal.SIGKILL)
+            support.killed(pid)
         return b'', '', ['it has not ended within %.0f s' % within]
     written.seek(0)
     out = written.read()
@@ -96,12 +97,11 @@ def killed(scc, expected, times):
                 at = rand.uniform(0, 5)
                 time.sleep(at)
                 victim, all_of_it = victim_of(p, target, rand), children(p.pid)
-                if victim is not None:
-                    os.kill(victim, signal.SIGKILL)
+                hit = victim is not None and support.killed(victim)
                 out, said, wrong = ended(p, written, all_of_it, 240)
                 wrong = wrong or expected.wrong(arguments, p.returncode, out, at_work)
                 when = '%.1f s after %s' % (at, 'its work began' if at_work else 'its start')
-                what = '%s %d: %s killed %s' % (arguments[0], k, target if victim else 'nothing', when)
+                what = '%s %d: %s killed %s' % (arguments[0], k, target if hit else 'nothing', when)
                 tell('%s, code %s: %s' % (what, p.returncode, said), wrong)
 
 
@@ -114,8 +114,7 @@ def signalled(scc, expected, times):
                 p, written = started(scc, arguments, True)
                 lost = rand.random() < 0.5 and victim_of(p, rand.choice(['raylet', 'gcs']), rand)
                 all_of_it = children(p.pid)
-                if lost:
-                    os.kill(lost, signal.SIGKILL)
+                if lost and support.killed(lost):
                     time.sleep(rand.uniform(0, 10))
                 over = p.poll() is not None
                 p.send_signal(number)

@@ -1,7 +1,7 @@
-"""Simulations and sweeps on a cluster beside those of scc, also while tasks are killed."""
+"""Simulations, sweeps and estimates on a cluster beside those of scc, also while tasks are killed."""
 
+import json
 import os
-import signal
 import tempfile
 import time
 
@@ -10,6 +10,7 @@ import ray
 import shapecalculus
 from shapecalculus import cluster
 from support import at_random, children, command, later, model, scc_bytes, tell, title
+from support import killed as killed_now
 
 WALKS = ['--observe', 'gone(walker)', '--observe', 'x(walker)', '--every', '1', '--until', '60', '--seed=-3']
 BONDED = ['--observe', 'x(ligand)', '--observe', 'bound(ligand, pocket)', '--every', '1', '--until', '12']
@@ -23,6 +24,13 @@ def asked():
     yield ['simulate', model('ruin.sc'), *WALKS, '--runs', '70', '--steps', '3', '--decimals', '3', '--format', 'jsonl']
     yield ['sweep', model('hexokinase.sc'), *GRID]
     yield ['sweep', model('gas.sc'), '-D', 'n=1..3', '--states', '20']
+    yield ['estimate', model('ruin.sc'), '--width', '1/10', '--seed', '7']
+    yield ['estimate', model('brownian.sc'), '--runs', '40', '--json']
+    yield ['estimate', model('association.sc'), '--check', 'by_three', '--check', 'mean_at_3', '--width', '1/5']
+    yield ['estimate', model('ruin.sc'), '--property', 'P = ? [ eventually x(walker) >= 3 ]', '--levels', 'x(walker) >= 1..2', '--runs', '9']
+    yield ['estimate', model('ruin.sc'), '--check', 'nobody']
+    yield ['estimate', model('ruin.sc'), '--runs', '0']
+    yield ['estimate', 'nothing.sc', '--json']
     yield ['sweep', model('ruin.sc'), '-D', 'nobody=1']
     yield ['sweep', 'nothing.sc', '-D', 'n=1']
     yield ['simulate', model('ruin.sc'), '--runs', '3', '--observe', 'x(nobody)', '--every', '1', '--until', '2']
@@ -52,8 +60,15 @@ def long_sweep(scc):
     return expected, lambda **more: cluster.sweep(path, grid, scc=scc, **more)
 
 
+def long_estimation(scc):
+    path, options = model('brownian.sc'), ['--property', 'P = ? [ eventually bound(ligand, pocket) within 30 ]', '--width', '1/20']
+    expected = json.loads(scc_bytes(scc, 'estimate', path, *options, '--json')[0])
+    return expected, lambda **more: cluster.estimate(path, options=options, scc=scc, **more)
+
+
 def killed(scc, seed, kill, times, before=lambda: None):
-    for what, (expected, work) in [('simulation', long_simulation(scc)), ('sweep', long_sweep(scc))]:
+    works = [('simulation', long_simulation(scc)), ('sweep', long_sweep(scc)), ('estimate', long_estimation(scc))]
+    for what, (expected, work) in works:
         begun, again = [], 0
         wrong = [] if work(disturb=lambda s: begun.append(time.time())) == expected else ['differs']
         lasts = time.time() - begun[0]
@@ -74,13 +89,13 @@ def kill_task(spread, rand, at, hits):
     raylet = node.all_processes['raylet'][0].process.pid
 
     def kill():
-        workers = [p for p in children(raylet) if title(p).startswith('ray::do_part')]
-        programs = [p for w in workers for p in children(w) if ' --part ' in title(p)]
+        workers = [p for p in children(raylet) if title(p).startswith(('ray::do_part', 'ray::do_runs'))]
+        programs = [p for w in workers for p in children(w) if any(word in title(p) for word in (' --part ', ' --make '))]
         targets = programs if rand.random() < 0.5 and programs else workers
         if targets:
             target = rand.choice(sorted(targets))
-            hits.append('scc' if target in programs else 'worker')
-            os.kill(target, signal.SIGKILL)
+            if killed_now(target):
+                hits.append('scc' if target in programs else 'worker')
     later(at, kill)
 
 

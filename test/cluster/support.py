@@ -3,6 +3,7 @@
 import json
 import os
 import random
+import signal
 import subprocess
 import sys
 import threading
@@ -83,6 +84,15 @@ def there(pids):
         except OSError:
             return False
     return [p for p in pids if lives(p)]
+
+
+def killed(pid):
+    """Whether there was still a process to be killed: what is chosen may end by itself meanwhile."""
+    try:
+        os.kill(pid, signal.SIGKILL)
+        return True
+    except ProcessLookupError:
+        return False
 
 
 def awaited(condition, seconds):

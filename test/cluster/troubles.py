@@ -18,7 +18,7 @@ def commands(scc):
             ('no owners', 64, [BONDS, '--owners', '0']),
             ('no deadline', 64, [BONDS, '--deadline', 'inf']),
             ('more than a search', 64, [model('chain.sc')]),
-            ('a bound of time', 64, [model('figure4.sc')]),
+            ('a bound of time in any order', 64, [model('window.sc'), '--order', 'any']),
             ('no program', 3, [BONDS, '--scc', '/nowhere/scc'])]:
         code, out, said = command(scc, 'check', *arguments) if what != 'no program' else command('/nowhere/scc', 'check', BONDS)
         tell('%s: %s' % (what, said), [] if code == expected and not out else ['code %d' % code])

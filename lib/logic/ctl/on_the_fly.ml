@@ -1,4 +1,3 @@
-open Scc_base
 open Scc_data
 open Scc_exact
 open Scc_graph_search
@@ -30,6 +29,21 @@ let phases timeline =
     match why with None -> perhaps | Some _ -> Timeline.first_after_start is_true timeline
   in
   { surely; perhaps; why }
+
+let is_in_time within ~arrival (moment : Timeline.moment) =
+  match within with
+  | None -> true
+  | Some bound ->
+    let c = Algebraic.compare_rat moment.offset (Rat.sub bound arrival) in
+    if moment.attained then c <= 0 else c < 0
+
+let sample_in_time within ~arrival (moment : Timeline.moment) sample =
+  match within with
+  | None -> sample
+  | Some bound ->
+    let left = Rat.sub bound arrival in
+    if Algebraic.compare_rat sample left <= 0 then sample
+    else Algebraic.of_rat (Algebraic.between moment.offset (Algebraic.of_rat left))
 
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   type question = { within : Rat.t option; goal : predicate }
@@ -101,12 +115,7 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
   (** {2 Meeting the goal} *)
 
   (* Whether a moment after the arrival in a state counts. *)
-  let in_time m g i (moment : Timeline.moment) =
-    match m.question.within with
-    | None -> true
-    | Some bound ->
-      let c = Algebraic.compare_rat moment.offset (Rat.sub bound (Graph.arrival g i)) in
-      if moment.attained then c <= 0 else c < 0
+  let in_time m g i = is_in_time m.question.within ~arrival:(Graph.arrival g i)
 
   let arrives_in_time m g i =
     match m.question.within with
@@ -198,15 +207,6 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
     | None -> Timeline.Forever
     | Some k -> Timeline.Lasts (Graph.duration g (Graph.edges g i).(k))
 
-  (* The sample of an open piece that goes on beyond the bound may have to be taken earlier. *)
-  let before_bound m g i (moment : Timeline.moment) sample =
-    match m.question.within with
-    | None -> sample
-    | Some bound ->
-      let left = Rat.sub bound (Graph.arrival g i) in
-      if Algebraic.compare_rat sample left <= 0 then sample
-      else Algebraic.of_rat (Algebraic.between moment.offset (Algebraic.of_rat left))
-
   let trace_to m g (i, choice, moment) =
     let finish =
       match moment with
@@ -214,7 +214,8 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
       | Some moment ->
         let timeline = along m (Graph.tuple g i) (extent_of g i choice) in
         let sample = Timeline.sample timeline moment in
-        During { choice; moment; sample = before_bound m g i moment sample }
+        let arrival = Graph.arrival g i in
+        During { choice; moment; sample = sample_in_time m.question.within ~arrival moment sample }
     in
     { steps = path_for m g i; last = i; finish }
 
@@ -276,33 +277,12 @@ module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) = struct
 
   (* The first cycle along which no time passes, of those that lead through what is inside. *)
   let find_cycle g arcs inside =
-    let size = Graph.size g in
-    let components =
-      Strong_components.compute ~size ~inside ~successors:(fun i -> Array.of_list (List.map fst (arcs i)))
+    let trace (i, cycle) =
+      let stem = Graph.shortest_path g i in
+      let steps = List.map (fun (source, choice) -> { Graph.source; choice }) cycle in
+      { steps = List.append stem steps; last = i; finish = Repeats (List.length stem) }
     in
-    let number = Strong_components.number components in
-    let together i (j, _) = Int.equal (number i) (number j) in
-    let cycle i =
-      Option.map
-        (fun (j, choice) ->
-           let successors u = List.filter (together u) (arcs u) in
-           match Shortest_path.find ~successors ~from:j ~goal:(Int.equal i) with
-           | None -> Bug.fail __POS__ "a component is not connected"
-           | Some back ->
-             let steps = List.map (fun (source, choice) -> { Graph.source; choice }) in
-             let stem = Graph.shortest_path g i in
-             {
-               steps = List.append stem ({ Graph.source = i; choice } :: steps back);
-               last = i;
-               finish = Repeats (List.length stem);
-             })
-        (List.find_opt (together i) (arcs i))
-    in
-    let rec go i =
-      if i = size then None
-      else match if inside i then cycle i else None with Some t -> Some t | None -> go (i + 1)
-    in
-    go 0
+    Option.map trace (First_cycle.find ~size:(Graph.size g) ~inside arcs)
 
   let zeno_cycle g =
     let arcs i = List.map (fun (choice, target) -> (target, choice)) (Graph.edges_at_once g i) in

@@ -21,6 +21,14 @@ type phases = {
 val phases : Truth.t Timeline.t -> phases
 (** [phases timeline] is the first moments of the goal with this truth along a trajectory. *)
 
+val is_in_time : Rat.t option -> arrival:Rat.t -> Timeline.moment -> bool
+(** [is_in_time within ~arrival moment] is true if a moment after a state that is reached at the time [arrival]
+    counts for a question with the bound [within]. *)
+
+val sample_in_time : Rat.t option -> arrival:Rat.t -> Timeline.moment -> Algebraic.t -> Algebraic.t
+(** [sample_in_time within ~arrival moment sample] is the sample of such a moment ({!Timeline.sample}), or an
+    earlier one: an open piece may go on beyond the bound. *)
+
 module Make (L : Lts.S) (Graph : module type of Explore.Make (L)) : sig
   (** The question if some run meets the goal: EF. *)
   type question = {

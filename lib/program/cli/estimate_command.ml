@@ -18,6 +18,8 @@ type options = {
   store : string option;
   levels : string option;
   effort : int option;
+  elsewhere : bool;  (** others make the runs *)
+  make : Runs_elsewhere.wanted option;  (** these runs, for another process *)
 }
 
 (* {1 What is asked} *)
@@ -45,7 +47,7 @@ let answered estimation ~count =
 
 let is_over room () = Scc_system.Interruption.heard () || Memory_of_runs.over room
 
-let sample console o runs (plan : Sample.plan) estimation ~room ~stopped =
+let sample console o runs ~turn (plan : Sample.plan) estimation ~room ~stopped =
   let work = Sample.run plan ~seed:o.how.seed ~interrupted:(is_over room) in
   let whole (r : Sample.run) = not r.interrupted in
   let stop () =
@@ -64,7 +66,7 @@ let sample console o runs (plan : Sample.plan) estimation ~room ~stopped =
           Estimation.add estimation outcome
         in
         let made =
-          Kept_runs.run runs ~patience ~whole ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each
+          Kept_runs.run runs ~patience ~whole ~turn ~jobs:o.jobs ~first ~count ~work ~interrupted:stopped ~each
         in
         match made with
         | Ok () ->
@@ -79,16 +81,19 @@ let sample console o runs (plan : Sample.plan) estimation ~room ~stopped =
   Console.progress_done console;
   ending
 
+(* The questions of each turn. Turn 0 has all of them. *)
+let turns (plan : Sample.plan) = List.mapi (fun k paths -> (k + 1, paths)) (Sequence.in_turn plan.paths)
+
 let sample_all console o runs (plan : Sample.plan) aim ~room =
   let stopped () = Memory_of_runs.stopped room in
-  let one (answers, ending) paths =
+  let one (answers, ending) (turn, paths) =
     let estimation = Estimation.start aim paths in
     let stopped () = ending <> Whole || stopped () in
-    let next = sample console o runs { plan with paths } estimation ~room ~stopped in
+    let next = sample console o runs ~turn { plan with paths } estimation ~room ~stopped in
     (answers @ Estimation.answers estimation, if ending = Whole then next else ending)
   in
   (* Stored runs are those of all questions. *)
-  let turns = if Option.is_some o.store then [ plan.paths ] else Sequence.in_turn plan.paths in
+  let turns = if Option.is_some o.store then [ (0, plan.paths) ] else turns plan in
   let answers, ending = List.fold_left one ([], Whole) turns in
   let of_path p = List.find_opt (fun (a : Estimation.answer) -> a.path == p) answers in
   (List.filter_map of_path plan.paths, ending)
@@ -174,32 +179,45 @@ let exit_code answers ending : Exit_code.t =
   | Interrupted -> Stopped
   | Lost { fault; _ } -> Kept_runs.loss ~fault
 
+(* Runs for another process: as many as it wants. *)
+let make console o loaded paths ~identity ~room (wanted : Runs_elsewhere.wanted) =
+  let of_ = Runs_elsewhere.digest identity and seed = o.how.seed and interrupted = is_over room in
+  let ending made = if made then Ok Exit_code.Holds else Ok (Guard.stopped console "a run was ended by a limit") in
+  match o.levels with
+  | Some text ->
+    let steps = Option.value o.how.steps ~default:default_steps in
+    let* _, plan = Levels.plan console loaded paths text ~effort:(effort o) ~steps in
+    let whole (r : Splitting.repetition) = not r.interrupted in
+    ending (Runs_elsewhere.make wanted ~of_ ~whole (Splitting.repeat plan ~seed ~interrupted))
+  | None -> (
+      let plan = Estimate_options.plan o.how loaded paths in
+      match List.assoc_opt wanted.turn ((0, plan.paths) :: turns plan) with
+      | None -> Ok (Guard.usage (Printf.sprintf "--make: there is no turn %d" wanted.turn))
+      | Some paths ->
+        let whole (r : Sample.run) = not r.interrupted in
+        ending (Runs_elsewhere.make wanted ~of_ ~whole (Sample.run { plan with paths } ~seed ~interrupted)))
+
+let opened console o ~identity about =
+  let of_ = Runs_elsewhere.digest identity in
+  let elsewhere = if o.elsewhere then Some (Runs_elsewhere.start ~of_) else None in
+  Kept_runs.openly ?elsewhere console ~folder:o.store ~identity about
+
 let by_runs console o (loaded : Loaded.t) paths aim ~identity ~room =
   let plan = Estimate_options.plan o.how loaded paths in
-  let* runs = Kept_runs.openly console ~folder:o.store ~identity "the runs" in
+  let* runs = opened console o ~identity "the runs" in
   let answers, ending = sample_all console o runs plan aim ~room in
   Ok (answers, ending, Kept_runs.close runs)
 
 let by_splitting console o loaded paths text ~identity ~room =
   let steps = Option.value o.how.steps ~default:default_steps in
   let* path, plan = Levels.plan console loaded paths text ~effort:(effort o) ~steps in
-  let* runs = Kept_runs.openly console ~folder:o.store ~identity "the repetitions" in
+  let* runs = opened console o ~identity "the repetitions" in
   let made, ending = split console o runs plan ~room in
   let summary = Splitting.summary plan made ~confidence:o.how.confidence in
   Ok (Option.to_list (Option.map (Estimation.of_splitting path) summary), ending, Kept_runs.close runs)
 
-let estimate console o room =
-  let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
-  let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
-  Watch.has_read (Memory_of_runs.watch room);
-  Console.report console model.warnings;
-  let* loaded, added = properties console model o.properties in
-  let by_name = o.checks <> [] || added <> [] in
-  let* named = Chosen_checks.of_names loaded o.checks in
-  let asked = if by_name then named @ added else model.checks in
-  let* paths, left_out = Estimate_options.paths model asked ~by_name in
+let judged console o room (model : Loaded.t) loaded paths left_out ~identity =
   let aim = Estimate_options.aim o.how in
-  let identity = identity o model paths in
   let* answers, ending, unkept =
     match o.levels with
     | Some text -> by_splitting console o loaded paths text ~identity ~room
@@ -229,6 +247,21 @@ let estimate console o room =
      Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made")
    | Lost { why; _ } -> Console.note console ("scc: " ^ why ^ "; what is said rests on the runs that were made"));
   Ok exit
+
+let estimate console o room =
+  let* model = Input.model console ~overrides:o.given ~narrowed:[] o.path in
+  let* () = Ordinary.at_point ~otherwise:"`scc trace --start simple` chooses them" model in
+  Watch.has_read (Memory_of_runs.watch room);
+  Console.report console model.warnings;
+  let* loaded, added = properties console model o.properties in
+  let by_name = o.checks <> [] || added <> [] in
+  let* named = Chosen_checks.of_names loaded o.checks in
+  let asked = if by_name then named @ added else model.checks in
+  let* paths, left_out = Estimate_options.paths model asked ~by_name in
+  let identity = identity o model paths in
+  match o.make with
+  | Some wanted -> make console o loaded paths ~identity ~room wanted
+  | None -> judged console o room model loaded paths left_out ~identity
 
 let run color progress json o =
   let console = Console.make ?progress ~color ~json () in
@@ -260,8 +293,16 @@ let effort =
   Options.maybe Estimate_options.count [ "effort" ] ~docv:"N"
     "With $(b,--levels), makes $(docv) runs from each level in each repetition. The default is 100."
 
+let elsewhere =
+  Options.flag [ "elsewhere" ]
+    "Makes no runs: asks for them on standard output, and reads them from standard input. See RUNS MADE ELSEWHERE."
+
+let make_option =
+  Options.maybe Runs_elsewhere.conv [ "make" ] ~docv:"TURN:FROM-TO"
+    "Makes only these runs, for $(b,scc estimate --elsewhere), and writes them. See RUNS MADE ELSEWHERE."
+
 let options =
-  let make path given checks properties how seconds jobs memory store levels effort =
+  let make path given checks properties how seconds jobs memory store levels effort elsewhere make =
     let { Estimate_options.most; width; free; until; normal; _ } = how in
     if Option.is_some levels && (Option.is_some until || free = Sample.Evenly) then
       Error "--levels cannot be combined with --until or --free evenly: write `within` in the property"
@@ -270,12 +311,17 @@ let options =
     else if normal && Option.is_some levels then Error "--normal is about means, and --levels about probabilities"
     else if Option.is_some effort && Option.is_none levels then
       Error "--effort is the number of runs from each level: it needs --levels"
-    else Ok { path; given; checks; properties; how; seconds; jobs; memory; store; levels; effort }
+    else if Option.is_some make && (elsewhere || Option.is_some store) then
+      Error "--make writes runs, and cannot be combined with --elsewhere or --store"
+    else if elsewhere && String.equal path "-" then
+      Error "with --elsewhere the model cannot be read from standard input, which is for runs"
+    else Ok { path; given; checks; properties; how; seconds; jobs; memory; store; levels; effort; elsewhere; make }
   in
   Term.(
     term_result' ~usage:true
       (const make $ Options.model_file $ Options.overrides $ checks $ properties $ Estimate_options.term
-       $ Run_options.seconds $ Run_options.jobs $ Check_options.memory () $ store_option $ levels $ effort))
+       $ Run_options.seconds $ Run_options.jobs $ Check_options.memory () $ store_option $ levels $ effort
+       $ elsewhere $ make_option))
 
 let command =
   let told =

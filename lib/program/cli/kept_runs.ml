@@ -8,17 +8,18 @@ type 'a t = {
   blocks : Blocks.t;
   mutable block : string;  (** that is read *)
   mutable place : int;  (** of the next outcome in it *)
+  elsewhere : Runs_elsewhere.t option;  (** where others make the runs *)
 }
 
-let start store about =
+let start ?elsewhere store about =
   let log = Option.fold ~none:Log.none ~some:(fun s -> Store.log s about) store in
-  { store; log; blocks = Blocks.make log; block = ""; place = 0 }
+  { store; log; blocks = Blocks.make log; block = ""; place = 0; elsewhere }
 
-let openly console ~folder ~identity about =
+let openly ?elsewhere console ~folder ~identity about =
   match folder with
-  | None -> Ok (start None about)
+  | None -> Ok (start ?elsewhere None about)
   | Some folder ->
-    Kept.openly console ~folder identity |> Result.map (fun store -> start (Some store) about)
+    Kept.openly console ~folder identity |> Result.map (fun store -> start ?elsewhere (Some store) about)
 
 (* A block has been seen to be what a process of the same build has written. *)
 let rec next t =
@@ -39,7 +40,7 @@ let keep t outcome =
   if Option.is_some t.store then
     Blocks.add t.blocks (fun buffer -> Buffer.add_string buffer (Marshal.to_string outcome []))
 
-let run ?patience ?(whole = fun _ -> true) t ~jobs ~first ~count ~work ~interrupted ~each =
+let run ?patience ?(whole = fun _ -> true) ?(turn = 0) t ~jobs ~first ~count ~work ~interrupted ~each =
   let rec follow k =
     if k >= count then Ok ()
     else if interrupted () then Error Pool.Interrupted
@@ -53,7 +54,9 @@ let run ?patience ?(whole = fun _ -> true) t ~jobs ~first ~count ~work ~interrup
           if whole outcome then keep t outcome;
           each k outcome
         in
-        Pool.run ?patience ~jobs ~first:k ~count ~work ~interrupted ~each ()
+        (match t.elsewhere with
+         | Some others -> Runs_elsewhere.run others ~turn ~first:k ~count ~interrupted ~each
+         | None -> Pool.run ?patience ~jobs ~first:k ~count ~work ~interrupted ~each ())
   in
   Fun.protect ~finally:(fun () -> Blocks.write t.blocks) (fun () -> follow first)
 

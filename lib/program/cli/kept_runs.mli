@@ -7,14 +7,17 @@ type 'a t
 (** Tasks with results of type ['a], in order. {!Marshal} must accept the results. *)
 
 val openly :
+  ?elsewhere:Runs_elsewhere.t ->
   Console.t -> folder:string option -> identity:(string * string) list -> string -> ('a t, Diag.t list) result
-(** [openly console ~folder ~identity name] has the tasks under this name in the store of the folder
+(** [openly ~elsewhere console ~folder ~identity name] has the tasks under this name in the store of the folder
     ({!Kept.openly}), or keeps nothing without a folder. The results in the store must have this type. Its identity
-    ensures that: it includes the build, the command and the options. *)
+    ensures that: it includes the build, the command and the options. With [elsewhere] other processes do what is
+    not in the store. *)
 
 val run :
   ?patience:float ->
   ?whole:('a -> bool) ->
+  ?turn:int ->
   'a t ->
   jobs:int ->
   first:int ->
@@ -23,9 +26,10 @@ val run :
   interrupted:(unit -> bool) ->
   each:(int -> 'a -> unit) ->
   (unit, Scc_workers.Pool.stop) result
-(** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call
-    continues: [first] is where the last call ended. With [patience], tasks that are under way at an interruption
-    may return what they have. Only results that are [whole] (default: all) are stored. *)
+(** Does the tasks, as {!Scc_workers.Pool.run}, except those with results in the store. A further call continues:
+    [first] is where the last call ended. With [patience], tasks that are under way at an interruption may return
+    what they have. [turn] (default: 0) is for those who work elsewhere. Only results that are [whole] (default:
+    all) are stored. *)
 
 val lost : what:string -> task:int -> how:string -> string
 (** The loss of a task as a clause: ["run 7 is lost: a process was killed"]. [what] names a task. *)

@@ -38,13 +38,15 @@ let model console (s : Schedule.t) ~(given : Options.definitions) path =
   let* () = check_digest s model.origin in
   Ok model
 
-let of_witness (l : Loaded.t) path (check : Scc_property.Property.check) (w : Scc_explain.Witness.t) =
+let of_run (l : Loaded.t) path ?check (w : Scc_explain.Witness.t) =
   let choice (s : Scc_explain.Witness.step) =
     (s.choice, Scc_semantics.Transition.label_to_string l.model s.transition.label)
   in
   let path = if String.equal path "-" then None else Some path in
   let values = Option.fold ~none:[] ~some:(fun (f : Scc_explain.Witness.fixed) -> f.values) w.fixed in
   let origin = { l.origin with parameters = l.origin.parameters @ values } in
-  Schedule.made ?model:path ~check:check.name origin
+  Schedule.made ?model:path ?check origin
     (List.map choice w.steps)
     ~offset:(Scc_explain.Witness.offset w)
+
+let of_witness l path (check : Scc_property.Property.check) w = of_run l path ~check:check.name w

@@ -12,7 +12,10 @@ val model :
 (** The model at a path with the parameters of the schedule and the given ones. These may repeat parameters of
     the schedule but not change them. A schedule for another text is SC0801. *)
 
+val of_run : Loaded.t -> string -> ?check:string -> Scc_explain.Witness.t -> int * Schedule.t
+(** [of_run l path ~check w] is the schedule of a run, with the name of the property that it is about, and the path
+    of the model, unless that is standard input. *)
+
 val of_witness :
   Loaded.t -> string -> Scc_property.Property.check -> Scc_explain.Witness.t -> int * Schedule.t
-(** The schedule of a run that is the witness of a property, with the path of the model, unless that is standard
-    input. *)
+(** {!of_run} for the witness of a property. *)

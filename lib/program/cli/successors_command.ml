@@ -47,9 +47,15 @@ let run path f line =
   if not (List.exists (Reduction.equal Jump) q.reductions) then
     Error (Diag.error Code.no_run Span.none "a run is one with jumps, and --no-reduce jump makes none")
   else
-    let* goal, choices = Found_run.request line in
-    let* check, witness = Found_run.find f ~goal choices in
-    Ok (Told.Run (check, Scheduled.of_witness q.loaded path check witness))
+    let* request = Found_run.request line in
+    match request with
+    | Goal (goal, choices) ->
+      let* check, witness = Found_run.find f ~goal choices in
+      Ok (Told.Run (check, Scheduled.of_witness q.loaded path check witness))
+    | Cycle (from, choices) ->
+      let* witness = Found_run.cycle f ~from choices in
+      let from = match witness.finish with Repeats { cycle; _ } -> cycle | _ -> from in
+      Ok (Told.Cycle (from, Scheduled.of_run q.loaded path witness))
 
 let answer path f line =
   let is_run = String.length line > 0 && line.[0] = '{' in

@@ -1,8 +1,13 @@
+open Scc_data
 open Scc_exact
+open Scc_ctl
 open Scc_graph_search
 open Scc_successors
 
-type note = Fault of string | End of string | Ahead of { goal : int; sure : bool }
+type note =
+  | Fault of string
+  | End of string
+  | Ahead of { goal : int; met : Timeline.moment option; doubtful : Timeline.moment option }
 
 type t = {
   part : Part.t;
@@ -13,10 +18,21 @@ type t = {
   mutable homes : int array;  (** of the targets of a state, by choice; of those that are the state itself, any *)
   mutable prints : Keys.fingerprint array;  (** of those of others, one after the other *)
   mutable touched : int;  (** of no meaning *)
+  mutable round : int;
+  timed : Timed_labels.t;
+  marks : (int * int) Growable.t;  (** of times, by their numbers: two words of a digest *)
 }
 
 let make part mesh records ~sent =
-  { part; mesh; records; sent; near = Tuples.spread (Part.table part); homes = [||]; prints = [||]; touched = 0 }
+  let context = Filter.context (Part.filter part) in
+  let duration = Scc_state_space.Network_lts.duration context in
+  let timed = Timed_labels.create ~duration ~transitions:(Scc_state_space.Network_lts.transitions context) in
+  {
+    part; mesh; records; sent; timed;
+    near = Tuples.spread (Part.table part);
+    homes = [||]; prints = [||]; touched = 0; round = 0;
+    marks = Growable.create ();
+  }
 
 let state = 'R'
 
@@ -54,12 +70,51 @@ let change_back into (changes : Tuples.changes) tuple =
     into.(slot) <- tuple.(slot)
   done
 
+(* {1 Times} *)
+
+let takes_time e = Timed_labels.takes_time e.timed
+
+let duration e label = Scc_state_space.Network_lts.duration (Filter.context (Part.filter e.part)) label
+
+(* When a transition ends, of a state that is reached at the time [now]. *)
+let time_after e ~now label =
+  match Part.clock e.part with
+  | None -> 0
+  | Some clock ->
+    if takes_time e label then Clock.number clock (Rat.add (Clock.time clock now) (duration e label)) else now
+
+let mark e clock time =
+  for k = Growable.length e.marks to time do
+    let digest = Digest.string (Rat.to_string (Clock.time clock k)) in
+    let word at = Int32.to_int (String.get_int32_le digest at) land 0xFFFF_FFFF in
+    Growable.push e.marks (word 0, word 4)
+  done;
+  Growable.get e.marks time
+
+(* A state that is reached at another time is another one to send. *)
+let add_time e (print : Keys.fingerprint) time =
+  match Part.clock e.part with
+  | None -> ()
+  | Some clock ->
+    let a, b = mark e clock time in
+    print.(1) <- print.(1) lxor a;
+    print.(3) <- print.(3) lxor b
+
+let next_round e = e.round <- e.round + 1
+
+(* A transition without duration that leads back may close a cycle. Its target is sent in each round, to be seen
+   there; it was found in an earlier one. Products of an odd number differ modulo 2^32. *)
+let add_round e (print : Keys.fingerprint) label =
+  if not (takes_time e label) then print.(2) <- print.(2) lxor ((e.round * 0x9E3779B1) land 0xFFFF_FFFF)
+
+(* {1 Targets} *)
+
 (* Where the targets belong: their owners, and the fingerprints of those of others. *)
-let find_homes e tuple changed steps =
+let find_homes e tuple ~now changed steps =
   let keys = Filter.keys (Part.filter e.part) and count = Mesh.count e.mesh and me = Mesh.number e.mesh in
   let from = Keys.fingerprint keys tuple in
   let one (n, others) (s : Lts.step) =
-    if s.changes = [||] then (n + 1, others)
+    if Array.length s.changes = 0 then (n + 1, others)
     else begin
       change changed s.changes;
       let print = e.prints.(others) in
@@ -69,6 +124,8 @@ let find_homes e tuple changed steps =
       e.homes.(n) <- home;
       if home = me then (n + 1, others)
       else begin
+        add_time e print (time_after e ~now s.label);
+        add_round e print s.label;
         e.touched <- e.touched lxor Sent.near e.sent print;
         (n + 1, others + 1)
       end
@@ -77,13 +134,12 @@ let find_homes e tuple changed steps =
   ignore (List.fold_left one (0, 0) steps)
 
 let prepare e steps =
-  let table = Part.table e.part and me = Mesh.number e.mesh and context = Filter.context (Part.filter e.part) in
-  let takes_time label = Rat.sign (Scc_state_space.Network_lts.duration context label) > 0 in
+  let table = Part.table e.part and me = Mesh.number e.mesh in
   let rec each n prepared = function
     | [] -> prepared
     | (s : Lts.step) :: rest ->
-      if s.changes <> [||] && e.homes.(n) = me then begin
-        Tuples.prepare table ~near:e.near ~lasting:(not (takes_time s.label)) s.changes prepared;
+      if Array.length s.changes > 0 && e.homes.(n) = me then begin
+        Tuples.prepare table ~near:e.near ~lasting:(not (takes_time e s.label)) s.changes prepared;
         each (n + 1) (prepared + 1) rest
       end
       else each (n + 1) prepared rest
@@ -92,42 +148,46 @@ let prepare e steps =
   Tuples.fetch table (each 0 0 steps)
 
 (* Own targets are entered, and others sent unless they have been. Each is the source, changed for a moment. *)
-let enter_all e tuple changed ~before steps =
-  let table = Part.table e.part and me = Mesh.number e.mesh in
+let enter_all e id tuple ~now changed ~before steps =
+  let table = Part.table e.part and me = Mesh.number e.mesh and instant = Part.instant e.part id in
   let rec each choice prepared others = function
     | [] -> choice
-    | { Lts.changes = [||]; _ } :: rest -> each (choice + 1) prepared others rest
-    | { Lts.changes; _ } :: rest when e.homes.(choice) = me ->
+    | { Lts.changes = [||]; label } :: rest ->
+      if not (takes_time e label) then Part.turns_at e.part id;
+      each (choice + 1) prepared others rest
+    | { Lts.changes; label } :: rest when e.homes.(choice) = me ->
       let known = Tuples.prepared table prepared in
-      if known >= 0 then Part.again e.part known ~sender:me ~before ~choice
+      let time = time_after e ~now label and instant = if takes_time e label then 0 else instant + 1 in
+      if known >= 0 then Part.again e.part known ~time ~instant ~sender:me ~before ~choice
       else begin
         change changed changes;
-        Part.enter_prepared e.part prepared changed ~sender:me ~before ~choice;
+        Part.enter_prepared e.part prepared changed ~time ~instant ~sender:me ~before ~choice;
         change_back changed changes tuple
       end;
       each (choice + 1) (prepared + 1) others rest
-    | { Lts.changes; _ } :: rest ->
+    | { Lts.changes; label } :: rest ->
       if Sent.add e.sent e.prints.(others) then begin
         change changed changes;
-        Records.put e.records.(e.homes.(choice)) ~before ~choice changed;
+        let time = time_after e ~now label and instant = if takes_time e label then 0 else instant + 1 in
+        Records.put e.records.(e.homes.(choice)) ~time ~instant ~before ~choice changed;
         change_back changed changes tuple
       end;
       each (choice + 1) prepared (others + 1) rest
   in
   each 0 0 0 steps
 
-let targets e tuple ~before steps =
+let targets e id tuple ~now ~before steps =
   make_room e (List.length steps + 1);
   let changed = Array.copy tuple in
-  if Mesh.count e.mesh > 1 then find_homes e tuple changed steps;
+  if Mesh.count e.mesh > 1 then find_homes e tuple ~now changed steps;
   prepare e steps;
-  enter_all e tuple changed ~before steps
+  enter_all e id tuple ~now changed ~before steps
 
 let look_ahead note goal (ahead : Filter.ahead option) =
   match ahead with
-  | Some { met = Some _; _ } -> note (Ahead { goal; sure = true })
-  | Some { met = None; doubt = Some _ } -> note (Ahead { goal; sure = false })
-  | Some { met = None; doubt = None } | None -> ()
+  | None | Some { met = None; doubtful = None; _ } -> ()
+  | Some { met; doubtful; _ } ->
+    note (Ahead { goal; met = Option.map (fun (m : Filter.met) -> m.moment) met; doubtful })
 
 let expand e id ~before ~note =
   Tuples.load (Part.table e.part) e.near id;
@@ -139,7 +199,9 @@ let expand e id ~before ~note =
   | Ok (bare, ahead) -> (
       Array.iteri (look_ahead note) ahead;
       match bare with
-      | Moves steps -> targets e tuple ~before steps
+      | Moves steps ->
+        let now = Option.fold ~none:0 ~some:(fun clock -> Clock.arrival clock id) (Part.clock e.part) in
+        targets e id tuple ~now ~before steps
       | Fault d ->
         note (Fault d.message);
         0

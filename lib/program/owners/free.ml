@@ -111,7 +111,7 @@ let so_far s ~states ~transitions : Progress.t =
     level = 0; depth = 0; width = 0; states; transitions;
     met = Array.map (fun _ -> None) s.met;
     doubts = s.doubts;
-    stop = None; faults = []; ends = []; too_long = 0;
+    open_ = None; stop = None; faults = []; ends = []; too_long = 0; too_deep = 0;
   }
 
 let tell s =
@@ -130,7 +130,7 @@ let note s id (note : Expansion.note) =
   match note with
   | Fault text -> Hashtbl.replace s.faults text ()
   | End text -> Hashtbl.replace s.ends text ()
-  | Ahead { goal; sure } -> if sure then meet s goal id else s.doubts.(goal) <- true
+  | Ahead { goal; met; _ } -> if Option.is_some met then meet s goal id else s.doubts.(goal) <- true
 
 let few = 64
 
@@ -216,7 +216,7 @@ let run s ~home =
   if home = Mesh.number s.mesh then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~sender:home ~before:0 ~choice:0)
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0)
   end;
   Part.keep_first s.part;
   if s.searches && Array.length s.met = 0 then s.stop <- Some (Some Early);

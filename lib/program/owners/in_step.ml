@@ -4,7 +4,7 @@ open Progress
 type settings = {
   searches : bool;  (** all that is asked are searches: it ends once every goal is met *)
   most_states : int;
-  most_levels : int option;
+  most_at_once : int option;
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 
@@ -18,12 +18,17 @@ type t = {
   settings : settings;
   calls : calls;
   mutable kept_at : float;
+  mutable expanded : int;  (** the number of the last state that is expanded *)
 }
 
 let make part mesh expansion levels settings calls =
-  { part; mesh; expansion; levels; settings; calls; kept_at = Unix.gettimeofday () }
+  { part; mesh; expansion; levels; settings; calls; kept_at = Unix.gettimeofday (); expanded = -1 }
 
 let me s = Mesh.number s.mesh
+
+(* Numbers of states in the order in which they are found: ranks are below 2^30. *)
+let shift = 31
+let number ~level rank = (level lsl shift) lor rank
 
 (* {1 Expanding a level} *)
 
@@ -46,10 +51,14 @@ let note x owner id rank (note : Expansion.note) =
   match note with
   | Fault text -> if not (Hashtbl.mem x.faults text) then Hashtbl.add x.faults text rank
   | End text -> Hashtbl.replace x.ends text ()
-  | Ahead { goal; sure } -> at (if sure then x.ahead else x.doubtful) goal
+  | Ahead { goal; met; _ } -> at (if Option.is_some met then x.ahead else x.doubtful) goal
+
+let is_too_deep s id =
+  match s.settings.most_at_once with Some most -> Part.instant s.part id > most | None -> false
 
 let expand s (p : Progress.t) =
   let order = Levels.by_rank s.levels p.level in
+  Expansion.next_round s.expansion;
   let nothing () = Array.map (fun _ -> None) p.met in
   let x =
     {
@@ -62,7 +71,7 @@ let expand s (p : Progress.t) =
       ignore (Expansion.flush_full s.expansion);
       Mesh.pump s.mesh 0.
     end;
-    if not (Part.is_too_long s.part id) then begin
+    if not (Part.is_too_long s.part id || is_too_deep s id) then begin
       let rank = Levels.rank s.levels id in
       x.counts.(k) <- Expansion.expand s.expansion id ~before:rank ~note:(note x (me s) id rank)
     end
@@ -107,10 +116,12 @@ let is_due s =
 let summary s (p : Progress.t) x fresh : Summary.t =
   let met, doubts = events s (Part.hits s.part) (Array.length p.met) in
   let is_new text = not (List.mem text p.faults) in
+  let count test = Array.fold_left (fun n id -> if test id then n + 1 else n) 0 fresh in
   {
     fresh = Array.length fresh;
     transitions = Array.fold_left ( + ) 0 x.counts;
-    too_long = Array.fold_left (fun n id -> if Part.is_too_long s.part id then n + 1 else n) 0 fresh;
+    too_long = count (Part.is_too_long s.part);
+    too_deep = count (is_too_deep s);
     keep = is_due s;
     met = Array.map2 earlier met x.ahead;
     doubts = Array.map2 earlier doubts x.doubtful;
@@ -118,48 +129,21 @@ let summary s (p : Progress.t) x fresh : Summary.t =
     ends = Hashtbl.fold (fun text () all -> if List.mem text p.ends then all else text :: all) x.ends [];
   }
 
-let written put =
-  let b = Buffer.create 256 in
-  put b;
-  Buffer.contents b
-
-let reading owner text read =
-  match read (Packed.source text) with
-  | x -> x
-  | exception (Packed.Malformed what | Invalid_argument what) ->
-    Failure.refused "owner %d: %s" (owner + 1) what
-
 (* The summaries of all, and the ranks of the new states of this one, in order. *)
 let agree s (p : Progress.t) summary fresh =
-  let count = Mesh.count s.mesh and width = p.width in
-  let before k = (Part.way s.part fresh.(k)).before in
   let keys k =
     let way = Part.way s.part fresh.(k) in
     (way.before, way.choice)
   in
-  let segment = Ranking.segments ~width ~count ~length:(Array.length fresh) ~before in
-  let tell owner =
-    let from, stop = segment owner in
-    written (fun b ->
-        Summary.put b summary;
-        Ranking.put_keys b ~keys ~from ~stop)
+  let read source =
+    let summary = Summary.read source in
+    if Array.length summary.met <> Array.length p.met then raise (Packed.Malformed "it has other goals");
+    summary
   in
-  let low = Ranking.first ~width ~count (me s) and high = Ranking.first ~width ~count (me s + 1) in
-  let read owner text =
-    reading owner text (fun source ->
-        let summary = Summary.read source in
-        if Array.length summary.met <> Array.length p.met then raise (Packed.Malformed "it has other goals");
-        (summary, Ranking.read_keys source ~low ~high))
+  let told, ranks =
+    Ranking.agree s.mesh ~width:p.width ~length:(Array.length fresh) ~keys ~mine:summary ~put:Summary.put ~read
   in
-  let told = Array.mapi read (Mesh.gather s.mesh tell) in
-  let total, ranks = Ranking.rank ~low ~high (Array.map snd told) in
-  let answer owner = written (fun b -> Ranking.put_ranks b ~total ranks.(owner)) in
-  let texts = Mesh.gather s.mesh answer in
-  (Summary.merge (Array.map fst told), reading (me s) "" (fun _ -> Ranking.read_ranks texts ~segment))
-
-let agree s (p : Progress.t) summary fresh =
-  if Mesh.count s.mesh > 1 then agree s p summary fresh
-  else (summary, Array.init (Array.length fresh) Fun.id)
+  (Summary.merge told, ranks)
 
 (* {1 Where it ends} *)
 
@@ -207,9 +191,6 @@ let doubts (p : Progress.t) (all : Summary.t) counts =
   in
   Array.mapi is_doubtful all.doubts
 
-let too_deep s level =
-  match s.settings.most_levels with Some most -> level >= most | None -> false
-
 let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
   let bound = last_rank s p all fresh ranks in
   let within last (rank : int) = match last with Some last -> rank <= last | None -> true in
@@ -221,11 +202,11 @@ let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
   let transitions, new_states =
     match last with Some last -> up_to s x fresh last | None -> (all.transitions, all.fresh)
   in
+  s.expanded <- number ~level:p.level (match last with Some last -> Int.max 0 last | None -> (1 lsl shift) - 1);
   let goes_on = new_states > 0 || Option.fold ~none:false ~some:(fun last -> last < p.width - 1) last in
   let stop =
     if ends_here then if goes_on then Some Early else None
     else if Option.is_some bound then Some States
-    else if new_states > 0 && too_deep s (p.level + 1) then Some Levels
     else None
   in
   let faults = List.filter (fun (_, rank) -> within last rank) all.faults in
@@ -235,11 +216,12 @@ let after s (p : Progress.t) x (all : Summary.t) fresh ranks =
     width = all.fresh;
     states = p.states + new_states;
     transitions = p.transitions + transitions;
-    met; stop;
+    met; stop; open_ = None;
     doubts = doubts p all (within bound);
     faults = add p.faults (List.map fst faults);
     ends = add p.ends all.ends;
     too_long = p.too_long + all.too_long;
+    too_deep = p.too_deep + all.too_deep;
   },
     new_states )
 
@@ -271,7 +253,17 @@ let rec run s (p : Progress.t) =
   if p.stop <> None then p
   else
     let p, goes_on = next s p in
-    if goes_on then run s p else p
+    if goes_on then run s p else if p.too_deep > 0 && p.stop = None then { p with stop = Some Levels } else p
+
+let graph s : Cycles.graph =
+  let number id = number ~level:(Levels.level s.levels id) (Levels.rank s.levels id) in
+  {
+    number;
+    find = (fun n -> Levels.find s.levels (n lsr shift) (n land ((1 lsl shift) - 1)));
+    level = (fun n -> n lsr shift);
+    is_expanded =
+      (fun id -> number id <= s.expanded && not (Part.is_too_long s.part id || is_too_deep s id));
+  }
 
 (* {1 The beginning} *)
 
@@ -281,7 +273,7 @@ let begin_ s ~home =
   if home = me s then begin
     let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
     let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~sender:home ~before:0 ~choice:0);
+    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0);
     ignore (Part.hits s.part)
   end;
   Part.close s.part;
@@ -294,7 +286,7 @@ let begin_ s ~home =
     {
       level = 0; depth = 0; width = 1; states = 1; transitions = 0; met;
       doubts = Array.map is_open initial.goals;
-      stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long;
+      open_ = None; stop = None; faults = []; ends = []; too_long = Bool.to_int initial.too_long; too_deep = 0;
     }
   in
   { p with stop = (if decided s met then Some Early else None) }

@@ -6,7 +6,8 @@
 type settings = {
   searches : bool;  (** all that is asked are searches: it ends once every goal is met *)
   most_states : int;
-  most_levels : int option;
+  most_at_once : int option;
+  (** no state is expanded whose way ends with more transitions without duration *)
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 
@@ -21,6 +22,9 @@ type t
 
 val make : Part.t -> Mesh.t -> Expansion.t -> Levels.t -> settings -> calls -> t
 (** One owner. *)
+
+val graph : t -> Cycles.graph
+(** What has been explored. *)
 
 val begin_ : t -> home:int -> Progress.t
 (** The beginning of an exploration, whose initial state is that of the owner [home]. *)

@@ -20,6 +20,16 @@ let by_rank l level =
   if not (is_sorted 1) then Array.stable_sort compare places;
   places
 
+let level l id =
+  let rec search low high =
+    (* The last level that starts at this state or before. *)
+    if low + 1 >= high then low
+    else
+      let middle = (low + high) / 2 in
+      if start l middle <= id then search middle high else search low middle
+  in
+  search 0 (count l)
+
 let find l level wanted =
   let stop = start l (level + 1) in
   let rec from id = if id >= stop then None else if rank l id = wanted then Some id else from (id + 1) in

@@ -20,5 +20,8 @@ val rank : t -> int -> int
 val by_rank : t -> int -> int array
 (** The states of a level in the order of their ranks. *)
 
+val level : t -> int -> int
+(** The level of a state. *)
+
 val find : t -> int -> int -> int option
 (** [find l level rank] is the state of this owner with that rank in the level. *)

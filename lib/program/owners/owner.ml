@@ -60,6 +60,7 @@ type t = {
   home : int;  (** the owner of the initial state *)
   parent : parent;
   mutable trace : Trace.t option;
+  mutable cycles : Cycles.t option;
   mutable free : Free.t option;  (** if it goes in no order *)
   mutable shown : float;  (** when it told last how far it is *)
   mutable saved : int;  (** levels *)
@@ -94,17 +95,20 @@ let keep o (p : Progress.t) =
 
 let hear_peer o peer kind text =
   if Char.equal kind Expansion.state then begin
-    Records.read o.records.(peer) o.part ~sender:peer text;
+    Records.read o.records.(peer) o.part ~sender:peer text ignore;
     Option.iter Free.hear_states o.free
   end
   else
     let known =
-      match (o.trace, o.free) with
-      | Some trace, _ when Char.equal kind Trace.kind || Char.equal kind Trace.told ->
+      match (o.trace, o.free, o.cycles) with
+      | _, _, Some cycles when Char.equal kind Cycles.kind ->
+        Cycles.heard cycles peer text;
+        true
+      | Some trace, _, _ when Char.equal kind Trace.kind || Char.equal kind Trace.told ->
         Trace.heard trace kind text;
         true
-      | _, Some free -> Free.heard free peer kind text
-      | _, None -> false
+      | _, Some free, _ -> Free.heard free peer kind text
+      | _, None, _ -> false
     in
     if not known then Failure.refused "owner %d sends a message of no kind: %C" (peer + 1) kind
 
@@ -123,12 +127,14 @@ let restored o =
   Option.iter goal_found progress;
   progress
 
+let most_states o = Option.value o.begun.states ~default:max_int
+
 let in_step o mesh expansion =
   let settings : In_step.settings =
     {
       searches = searches (Filter.question (Part.filter o.part));
-      most_states = Option.value o.begun.states ~default:max_int;
-      most_levels;
+      most_states = most_states o;
+      most_at_once = most_levels;
       every = Option.map (fun ms -> float_of_int ms /. 1000.) o.begun.every;
     }
   in
@@ -136,41 +142,73 @@ let in_step o mesh expansion =
     { keep = keep o; may_keep = (fun () -> not o.parent.waited_for); show = show o }
   in
   let s = In_step.make o.part mesh expansion o.levels settings calls in
-  In_step.run s (match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home)
+  let p = In_step.run s (match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home) in
+  (p, In_step.graph s)
 
-let explore o mesh =
+let by_time o mesh expansion clock =
+  let question = Filter.question (Part.filter o.part) in
+  let settings : By_time.settings =
+    {
+      searches = searches question;
+      within = Array.map (fun (g : Question.goal) -> g.within) question.goals;
+      horizon = Question.horizon question;
+      most_states = most_states o;
+      most_rounds = most_levels;
+    }
+  in
+  let s = By_time.make o.part clock mesh expansion settings ~show:(show o) in
+  let p = By_time.run s ~home:o.home in
+  (p, By_time.graph s)
+
+let explore o mesh cycles =
+  let look_for_cycle (p, graph) = (p, Cycles.find cycles graph) in
   let expansion = Expansion.make o.part mesh o.records ~sent:(Sent.create ~bytes:sent_bytes) in
-  let p =
-    if o.begun.any_order then begin
+  let p, cycle =
+    match (o.begun.order, Part.clock o.part) with
+    | Any, _ ->
       let searches = searches (Filter.question (Part.filter o.part)) in
-      let most_states = Option.value o.begun.states ~default:max_int in
-      let free = Free.make o.part mesh expansion ~searches ~most_states ~show:(show o) in
+      let free = Free.make o.part mesh expansion ~searches ~most_states:(most_states o) ~show:(show o) in
       o.free <- Some free;
-      Free.run free ~home:o.home
-    end
-    else in_step o mesh expansion
+      (* Without an order, nothing tells which transitions lead back. *)
+      (Free.run free ~home:o.home, None)
+    | _, Some clock -> look_for_cycle (by_time o mesh expansion clock)
+    | (Levels | Time), None -> look_for_cycle (in_step o mesh expansion)
   in
   o.telling <- true;
   if o.place.number > 0 then Mesh.let_go mesh;
   match Mesh.sums mesh [ Mesh.messages mesh; Mesh.bytes mesh ] with
-  | [ messages; bytes ] -> (p, messages, bytes)
-  | _ -> (p, 0, 0)
+  | [ messages; bytes ] -> (p, cycle, messages, bytes)
+  | _ -> (p, cycle, 0, 0)
 
 (* The first owner tells what was found; others answer it until the end of the input. *)
-let tell o mesh trace (p, messages, bytes) =
-  let runs = Trace.all trace p.Progress.met in
+let tell o mesh trace (p, cycle, messages, bytes) =
+  let goals = Array.length p.Progress.met in
+  let runs = Trace.all trace (Array.append p.met [| Option.map fst cycle |]) in
   Mesh.let_go mesh;
-  if o.place.number = 0 then say (Said.line (Found { progress = p; runs; messages; bytes }));
+  let lasso (_, round) =
+    let stem = Option.value (List.assoc_opt goals runs) ~default:[] in
+    { Said.choices = stem @ round; from = List.length stem }
+  in
+  let runs = List.filter (fun (goal, _) -> goal < goals) runs in
+  let found = { Said.progress = p; runs; cycle = Option.map lasso cycle; messages; bytes } in
+  if o.place.number = 0 then say (Said.line (Found found));
   while true do Mesh.pump mesh (-1.) done
 
 let work o self ~listener =
   let seconds = float_of_int o.begun.deadline /. 1000. in
   let links = Meeting.meet self ~listener ~peers:o.begun.peers ~seconds in
   let mesh = Mesh.make ~number:o.place.number ~links ~each:(hear_peer o) ~from_parent:(hear_parent o) in
-  let find ~level before = if o.begun.any_order then Some before else Levels.find o.levels level before in
+  let find ~level before =
+    match (o.begun.order, Part.clock o.part) with
+    | Any, _ -> Some before
+    | _, Some clock -> Clock.find clock before
+    | (Levels | Time), None -> Levels.find o.levels level before
+  in
   let trace = Trace.make mesh o.part ~find ~is_root:(fun id -> id = 0 && o.home = o.place.number) in
   o.trace <- Some trace;
-  try tell o mesh trace (explore o mesh) with Over -> ()
+  let cycles = Cycles.make o.part mesh o.records in
+  o.cycles <- Some cycles;
+  try tell o mesh trace (explore o mesh cycles) with Over -> ()
 
 let run filter place ~listener ~program ~identity =
   let parent = { text = Buffer.create 4096; ended = false; waited_for = false } in
@@ -179,20 +217,21 @@ let run filter place ~listener ~program ~identity =
   | Some line ->
     let begun = Said.read_begin ~count:place.count line in
     let states = Option.fold ~none:"" ~some:string_of_int begun.states in
-    let identity = String.concat "\n" [ identity; begun.run; states; string_of_bool begun.any_order ] in
+    let identity = String.concat "\n" [ identity; begun.run; states; Said.order_name begun.order ] in
     let self : Greeting.self =
       { number = place.number; count = place.count; program; secret = begun.secret; identity }
     in
     let spill folder mib = Scc_data.Spill.to_folder folder ~beyond:(mib lsl 20) in
     ignore (Option.map2 spill begun.folder begun.memory);
-    let part = Part.make filter in
+    let clock = match begun.order with Time -> Some (Clock.make ()) | Levels | Any -> None in
+    let part = Part.make ?clock filter in
     let o =
       {
         place; begun; part; parent;
         levels = Levels.make ();
         records = Array.init place.count (fun _ -> Records.make part);
         home = (Filter.initial filter).fingerprint.(0) mod place.count;
-        trace = None; free = None; shown = 0.; saved = 0; telling = false;
+        trace = None; cycles = None; free = None; shown = 0.; saved = 0; telling = false;
       }
     in
     work o self ~listener

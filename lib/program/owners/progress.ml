@@ -2,7 +2,7 @@ open Scc_codec
 
 type event = { rank : int; ahead : bool; choice : int; owner : int; id : int }
 type place = { level : int; owner : int; id : int }
-type stop = Early | States | Levels
+type stop = Early | States | Levels | Late
 
 type t = {
   level : int;
@@ -12,13 +12,15 @@ type t = {
   transitions : int;
   met : place option array;
   doubts : bool array;
+  open_ : bool array option;
   stop : stop option;
   faults : string list;
   ends : string list;
   too_long : int;
+  too_deep : int;
 }
 
-let stops = [ ("early", Early); ("states", States); ("levels", Levels) ]
+let stops = [ ("early", Early); ("states", States); ("levels", Levels); ("late", Late) ]
 let stop_name s = fst (List.find (fun (_, x) -> x = s) stops)
 
 let compare_events (a : event) (b : event) =
@@ -51,7 +53,7 @@ let put_bool b x = Packed.put_nat b (Bool.to_int x)
 let read_bool s = Packed.below 2 ~what:"a truth" s = 1
 
 let put b p =
-  List.iter (Packed.put_nat b) [ p.level; p.depth; p.width; p.states; p.transitions; p.too_long ];
+  List.iter (Packed.put_nat b) [ p.level; p.depth; p.width; p.states; p.transitions; p.too_long; p.too_deep ];
   let place b (x : place) = List.iter (Packed.put_nat b) [ x.level; x.owner; x.id ] in
   put_array b (fun b -> put_option b place) p.met;
   put_array b put_bool p.doubts;
@@ -65,6 +67,7 @@ let read s =
   let states = Packed.nat s in
   let transitions = Packed.nat s in
   let too_long = Packed.nat s in
+  let too_deep = Packed.nat s in
   let place s =
     let level = Packed.nat s in
     let owner = Packed.nat s in
@@ -74,4 +77,7 @@ let read s =
   let doubts = Array.of_list (Packed.list s read_bool) in
   let faults = Packed.list s Packed.text in
   let ends = Packed.list s Packed.text in
-  { level; depth; width; states; transitions; met; doubts; stop = None; faults; ends; too_long }
+  {
+    level; depth; width; states; transitions; met; doubts; faults; ends; too_long; too_deep;
+    open_ = None; stop = None;
+  }

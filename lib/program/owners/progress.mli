@@ -9,9 +9,9 @@ type event = { rank : int; ahead : bool; choice : int; owner : int; id : int }
 (** A state: its level, its owner, and its number there. *)
 type place = { level : int; owner : int; id : int }
 
-(** Why an exploration ends before everything is found: all is decided, or it meets the bound of states or that of
-    levels. *)
-type stop = Early | States | Levels
+(** Why an exploration ends before everything is found: all is decided, it meets the bound of states or that of
+    transitions without duration, or no property depends on what comes later. *)
+type stop = Early | States | Levels | Late
 
 type t = {
   level : int;
@@ -21,10 +21,14 @@ type t = {
   transitions : int;
   met : place option array;  (** by goal *)
   doubts : bool array;  (** goals that are undecided in some state *)
+  open_ : bool array option;
+  (** goals that may be met after states that were not expanded; [None]: all that are not met, if there are any
+      such states *)
   stop : stop option;
   faults : string list;  (** in order, each once *)
   ends : string list;  (** likewise, why runs are given up *)
   too_long : int;  (** states that are not expanded since a number is too long *)
+  too_deep : int;  (** states that are not expanded after too many transitions without duration *)
 }
 
 val stop_name : stop -> string

@@ -44,7 +44,7 @@ let read_keys source ~low ~high =
 
 (* The ranks of these keys among those of the block, by owner and in order: counted by the state before, and
    sorted by choice within each, of which there are few. *)
-let rank ~low ~high (keys : key array array) =
+let rank_dense ~low ~high (keys : key array array) =
   let size = high - low in
   let starts = Array.make (size + 1) 0 in
   Array.iter (Array.iter (fun k -> starts.(k.before - low + 1) <- starts.(k.before - low + 1) + 1)) keys;
@@ -79,6 +79,21 @@ let rank ~low ~high (keys : key array array) =
     owners;
   (total, ranks)
 
+(* Where few of the numbers of states before occur, these are numbered first. *)
+let rank ~low ~high (keys : key array array) =
+  let total = Array.fold_left (fun n of_owner -> n + Array.length of_owner) 0 keys in
+  if high - low <= 16 * (total + 64) then rank_dense ~low ~high keys
+  else begin
+    let all = Array.concat (List.map (Array.map (fun k -> k.before)) (Array.to_list keys)) in
+    Array.sort Int.compare all;
+    let numbers = Hashtbl.create total in
+    Array.iter
+      (fun before -> if not (Hashtbl.mem numbers before) then Hashtbl.add numbers before (Hashtbl.length numbers))
+      all;
+    let renamed = Array.map (Array.map (fun k -> { k with before = Hashtbl.find numbers k.before })) keys in
+    rank_dense ~low:0 ~high:(Hashtbl.length numbers) renamed
+  end
+
 let put_ranks b ~total ranks =
   Packed.put_nat b total;
   let put last rank =
@@ -104,3 +119,41 @@ let read_ranks texts ~segment =
   let sum = ref 0 in
   Array.iteri (fun owner text -> sum := block owner text !sum) texts;
   ranks
+
+(* {1 All together} *)
+
+let written put =
+  let b = Buffer.create 256 in
+  put b;
+  Buffer.contents b
+
+let reading owner text read =
+  match read (Packed.source text) with
+  | x -> x
+  | exception (Packed.Malformed what | Invalid_argument what) ->
+    Failure.refused "owner %d: %s" (owner + 1) what
+
+let of_all mesh ~width ~length ~keys ~mine ~put ~read =
+  let count = Mesh.count mesh and me = Mesh.number mesh in
+  let segment = segments ~width ~count ~length ~before:(fun k -> fst (keys k)) in
+  let tell owner =
+    let from, stop = segment owner in
+    written (fun b ->
+        put b mine;
+        put_keys b ~keys ~from ~stop)
+  in
+  let low = first ~width ~count me and high = first ~width ~count (me + 1) in
+  let read_told owner text =
+    reading owner text (fun source ->
+        let told = read source in
+        (told, read_keys source ~low ~high))
+  in
+  let told = Array.mapi read_told (Mesh.gather mesh tell) in
+  let total, ranks = rank ~low ~high (Array.map snd told) in
+  let answer owner = written (fun b -> put_ranks b ~total ranks.(owner)) in
+  let texts = Mesh.gather mesh answer in
+  (Array.map fst told, reading me "" (fun _ -> read_ranks texts ~segment))
+
+let agree mesh ~width ~length ~keys ~mine ~put ~read =
+  if Mesh.count mesh > 1 then of_all mesh ~width ~length ~keys ~mine ~put ~read
+  else ([| mine |], Array.init length Fun.id)

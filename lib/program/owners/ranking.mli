@@ -33,3 +33,20 @@ val put_ranks : Buffer.t -> total:int -> int array -> unit
 
 val read_ranks : string array -> segment:(int -> int * int) -> int array
 (** [read_ranks texts ~segment] is the ranks of all keys of this owner, from what each owner tells of its block. *)
+
+(** {1 All together} *)
+
+val agree :
+  Mesh.t ->
+  width:int ->
+  length:int ->
+  keys:(int -> int * int) ->
+  mine:'a ->
+  put:(Buffer.t -> 'a -> unit) ->
+  read:(Packed.source -> 'a) ->
+  'a array * int array
+(** [agree mesh ~width ~length ~keys ~mine ~put ~read] is called by all owners: two rounds of messages. [keys k] is
+    the rank of the state before, below [width], and the place of the transition, of the [k]-th new state of this
+    owner in the order of keys; there are [length]. The result is what each owner tells beside its keys, of which
+    [mine] is that of this one, and the ranks of its new states. Raises {!Failure.Failed} for what [read] refuses.
+*)

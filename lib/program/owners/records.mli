@@ -9,8 +9,9 @@ type t
 val make : Part.t -> t
 (** A connection over which nothing has been sent. *)
 
-val put : t -> before:int -> choice:int -> int array -> unit
-(** [put r ~before ~choice state] adds a state of the other owner to the text that is to be sent. *)
+val put : t -> time:int -> instant:int -> before:int -> choice:int -> int array -> unit
+(** [put r ~time ~instant ~before ~choice state] adds a state of the other owner to the text that is to be sent.
+    [time] and [instant] are as for {!Part.enter}. *)
 
 val size : t -> int
 (** The length of the text that is to be sent. *)
@@ -18,10 +19,14 @@ val size : t -> int
 val take : t -> string
 (** The text that is to be sent, which is empty from then on. *)
 
-val read : t -> Part.t -> sender:int -> string -> unit
-(** [read r part ~sender text] enters the states of a text of {!take} that came from the owner [sender]. The
-    texts must be read in the order in which they were taken. Raises {!Failure.Failed} for other texts. *)
+(** A state that was sent, and the transition by which it was found. *)
+type arrow = { id : int; before : int; choice : int }
 
-val read_one : t -> Part.t -> sender:int -> Packed.source -> unit
+val read : t -> Part.t -> sender:int -> string -> (arrow -> unit) -> unit
+(** [read r part ~sender text each] enters the states of a text of {!take} that came from the owner [sender], and
+    calls [each] for them. The texts must be read in the order in which they were taken. Raises {!Failure.Failed}
+    for other texts. *)
+
+val read_one : t -> Part.t -> sender:int -> Packed.source -> arrow
 (** [read_one r part ~sender source] enters the next state of such a text. Raises [Packed.Malformed], [Failure] or
     [Invalid_argument] for other bytes. *)

@@ -1,11 +1,13 @@
 open Scc_json
 open Json_format
 
+type order = Levels | Time | Any
+
 type begin_ = {
   peers : (string * int) list;
   secret : string;
   run : string;
-  any_order : bool;
+  order : order;
   states : int option;
   deadline : int;
   every : int option;
@@ -25,14 +27,15 @@ let address text =
     let port = if String.for_all is_digit digits then int_of_string_opt digits else None in
     Option.bind port (fun port -> if 1 <= port && port <= 65535 then Some (String.sub text 0 at, port) else None)
 
+let order_name = function Levels -> "levels" | Time -> "time" | Any -> "any"
+
 let begin_format =
   let peer (host, port) = Printf.sprintf "%s:%d" host port in
-  let order b = if b.any_order then "any" else "levels" in
   obj
     (let+ peers = required "peers" (list ~least:1 some_text) (fun b -> List.map peer b.peers)
      and+ secret = required "secret" some_text (fun b -> b.secret)
      and+ run = required "run" some_text (fun b -> b.run)
-     and+ order = required "order" (word Fun.id [ "levels"; "any" ]) order
+     and+ order = required "order" (word order_name [ Levels; Time; Any ]) (fun b -> b.order)
      and+ states = optional "states" (integer ~least:1 ()) (fun b -> b.states)
      and+ deadline = optional "deadline" natural (fun b -> Some b.deadline)
      and+ every = optional "every" natural (fun b -> b.every)
@@ -43,8 +46,7 @@ let begin_format =
      let all_there = List.length addresses = List.length peers in
      ( all_there,
        {
-         peers = addresses; secret; run; states; every; folder; memory;
-         any_order = String.equal order "any";
+         peers = addresses; secret; run; order; states; every; folder; memory;
          deadline = Option.value deadline ~default:10_000;
          restore = Option.value restore ~default:[];
        } ))
@@ -68,7 +70,15 @@ let read_begin ~count line =
 
 (* {1 What is said to the parent} *)
 
-type found = { progress : Progress.t; runs : (int * int list) list; messages : int; bytes : int }
+type lasso = { choices : int list; from : int }
+
+type found = {
+  progress : Progress.t;
+  runs : (int * int list) list;
+  cycle : lasso option;
+  messages : int;
+  bytes : int;
+}
 
 type t =
   | Going of Progress.t
@@ -86,6 +96,13 @@ let explored =
 
 let goals (p : Progress.t) is = List.filter is (List.init (Array.length p.doubts) Fun.id)
 
+(* In time, and not expanded. *)
+let left_open (p : Progress.t) =
+  let complete = p.stop = None && p.faults = [] && p.too_long = 0 in
+  match p.open_ with
+  | Some is_open -> goals p (fun g -> is_open.(g))
+  | None -> goals p (fun g -> (not complete) && Option.is_none p.met.(g))
+
 let kept =
   fields
     [
@@ -98,16 +115,26 @@ let run =
   fields [ field "goal" natural fst; field "choices" (list natural) snd ]
   |> about "A run that meets a goal: the places of its transitions."
 
+let cycle =
+  fields
+    [
+      field "from" natural (fun c -> c.from);
+      field "choices" (list natural) (fun c -> c.choices);
+    ]
+  |> about "A run that comes back, within one instant, to the state after its first `from` transitions."
+
 let found =
   let p f x = f x.progress in
   fields
     [
       field "found" explored (fun x -> x.progress);
       field "stopped"
-        (nullable (word Fun.id [ "early"; "states"; "levels" ]))
+        (nullable (word Fun.id [ "early"; "states"; "levels"; "late" ]))
         (p (fun (p : Progress.t) -> Option.map Progress.stop_name p.stop));
       field "doubts" (list natural) (p (fun p -> goals p (fun g -> p.doubts.(g))));
+      field "open" (list natural) (p left_open);
       field "runs" (list run) (fun x -> x.runs);
+      field "cycle" (nullable cycle) (fun x -> x.cycle);
       field "faults" (list text) (p (fun p -> p.faults));
       field "ends" (list text) (p (fun p -> p.ends));
       field "too_long" natural (p (fun p -> p.too_long));

@@ -1,11 +1,18 @@
 (** What an owner and the process that has started it say to each other ([specs/successors.md]): lines of JSON. *)
 
+(** How states are taken: level by level ({!In_step}), in the order of time ({!By_time}), or as they come
+    ({!Free}). *)
+type order = Levels | Time | Any
+
+val order_name : order -> string
+(** The order in a word. *)
+
 (** The first line of the input: with whom it explores, and how. *)
 type begin_ = {
   peers : (string * int) list;  (** host and port of each owner *)
   secret : string;
   run : string;  (** any text; that of other owners must be the same *)
-  any_order : bool;
+  order : order;
   states : int option;  (** the most *)
   deadline : int;  (** milliseconds within which all owners have to come *)
   every : int option;  (** milliseconds between levels that are kept *)
@@ -17,10 +24,15 @@ type begin_ = {
 val read_begin : count:int -> string -> begin_
 (** Reads the line. Raises {!Failure.Failed}. *)
 
+(** A run that comes back within one instant: its choices, and how many of them lead to the state to which it comes
+    back. *)
+type lasso = { choices : int list; from : int }
+
 (** The result of an exploration, which the first owner tells. *)
 type found = {
   progress : Progress.t;
   runs : (int * int list) list;  (** by goal that is met, the choices of a run to it *)
+  cycle : lasso option;  (** in which no time passes, if one was found *)
   messages : int;  (** between all owners *)
   bytes : int;
 }

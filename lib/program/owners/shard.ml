@@ -3,7 +3,7 @@ open Scc_graph_search
 
 (* Written in pieces. *)
 let enough = 1 lsl 20
-let mark = "scc shard 1\n"
+let mark = "scc shard 2\n"
 
 type file = { channel : out_channel; buffer : Buffer.t }
 
@@ -20,7 +20,8 @@ let put_level f part levels records level =
     Packed.put_nat f.buffer way.sender;
     Packed.put_nat f.buffer (Levels.rank levels id);
     Tuples.load (Part.table part) near id;
-    Records.put records ~before:way.before ~choice:way.choice (Tuples.slots near);
+    let instant = Part.instant part id in
+    Records.put records ~time:0 ~instant ~before:way.before ~choice:way.choice (Tuples.slots near);
     Buffer.add_string f.buffer (Records.take records);
     if Buffer.length f.buffer > enough then drain f
   done
@@ -33,6 +34,7 @@ let write path part levels (progress : Progress.t) ~from =
        Buffer.add_string f.buffer mark;
        Packed.put_nat f.buffer from;
        Progress.put f.buffer progress;
+       Packed.put_list f.buffer Packed.put_nat (List.sort Int.compare (Part.turning part));
        let records = Records.make part in
        for level = from to Levels.count levels - 1 do put_level f part levels records level done;
        drain f;
@@ -52,7 +54,7 @@ let read_level source part levels records =
     let sender = Packed.nat source in
     let rank = Packed.nat source in
     let before = Part.size part in
-    Records.read_one records part ~sender source;
+    ignore (Records.read_one records part ~sender source);
     if Part.size part = before then malformed "a state is there twice";
     rank
   in
@@ -66,9 +68,12 @@ let read path part levels =
     let source = Packed.source ~from:n text in
     if Packed.nat source <> Levels.count levels then malformed "it does not follow the one before";
     let progress = Progress.read source in
+    let turning = Packed.list source Packed.nat in
     let records = Records.make part in
     while not (Packed.at_end source) do read_level source part levels records done;
     Part.close part;
+    if List.exists (fun id -> id >= Part.size part) turning then malformed "it names a state that is not there";
+    List.iter (Part.turns_at part) turning;
     ignore (Part.hits part : Part.hit list);
     if Levels.count levels <> progress.level + 1 then malformed "it has another number of levels";
     progress

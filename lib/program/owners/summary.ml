@@ -5,6 +5,7 @@ type t = {
   fresh : int;
   transitions : int;
   too_long : int;
+  too_deep : int;
   keep : bool;
   met : event option array;
   doubts : event option array;
@@ -23,7 +24,7 @@ let read_event s : event =
   { rank; ahead; choice; owner; id = Packed.nat s }
 
 let put b t =
-  List.iter (Packed.put_nat b) [ t.fresh; t.transitions; t.too_long ];
+  List.iter (Packed.put_nat b) [ t.fresh; t.transitions; t.too_long; t.too_deep ];
   put_bool b t.keep;
   let events = Packed.put_list b (fun b -> put_option b put_event) in
   events (Array.to_list t.met);
@@ -36,12 +37,13 @@ let read s =
   let fresh = Packed.nat s in
   let transitions = Packed.nat s in
   let too_long = Packed.nat s in
+  let too_deep = Packed.nat s in
   let keep = read_bool s in
   let events () = Array.of_list (Packed.list s (fun s -> read_option s read_event)) in
   let met = events () in
   let doubts = events () in
   let faults = List.map (fun text -> (text, Packed.nat s)) (Packed.list s Packed.text) in
-  { fresh; transitions; too_long; keep; met; doubts; faults; ends = Packed.list s Packed.text }
+  { fresh; transitions; too_long; too_deep; keep; met; doubts; faults; ends = Packed.list s Packed.text }
 
 (* {1 All of them} *)
 
@@ -55,6 +57,7 @@ let merge all =
     fresh = sum (fun t -> t.fresh) all;
     transitions = sum (fun t -> t.transitions) all;
     too_long = sum (fun t -> t.too_long) all;
+    too_deep = sum (fun t -> t.too_deep) all;
     keep = Array.exists (fun t -> t.keep) all;
     met = Array.init goals (first (fun t -> t.met) all);
     doubts = Array.init goals (first (fun t -> t.doubts) all);

@@ -6,6 +6,7 @@ type t = {
   fresh : int;  (** new states *)
   transitions : int;  (** of the states that it has expanded *)
   too_long : int;  (** new states that are not to be expanded *)
+  too_deep : int;  (** likewise, after too many transitions without duration *)
   keep : bool;  (** the level is to be kept *)
   met : Progress.event option array;  (** by goal: when it first holds *)
   doubts : Progress.event option array;  (** by goal: when it is first undecided *)

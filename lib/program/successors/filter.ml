@@ -17,7 +17,7 @@ module Labels = Scc_data.Numbering.Make (struct
 
 type reached = { tuple : int array; fingerprint : Keys.fingerprint; goals : Truth.t array; too_long : bool }
 type met = { choice : int option; moment : Timeline.moment; sample : Algebraic.t }
-type ahead = { met : met option; doubt : string option }
+type ahead = { met : met option; doubt : string option; doubtful : Timeline.moment option }
 
 type t = {
   question : Question.t;
@@ -154,12 +154,13 @@ let ahead f tuple follows =
   let of_goal extent (p : On_the_fly.predicate) =
     match (p.along, extent) with
     | None, _ -> None
-    | Some _, None -> Some { met = None; doubt = None }
+    | Some _, None -> Some { met = None; doubt = None; doubtful = None }
     | Some along, Some (choice, extent) ->
       let timeline = along tuple extent in
       let phases = On_the_fly.phases timeline in
       let met moment = { choice; moment; sample = Timeline.sample timeline moment } in
-      Some { met = Option.map met phases.surely; doubt = phases.why }
+      let doubtful = if Option.is_some phases.why then phases.perhaps else None in
+      Some { met = Option.map met phases.surely; doubt = phases.why; doubtful }
   in
   if not f.looks_ahead then f.nothing_ahead else Array.map (of_goal (extent f follows)) f.predicates
 

@@ -62,6 +62,7 @@ type met = {
 type ahead = {
   met : met option;  (** it holds at some moment *)
   doubt : string option;  (** it could not be decided at some moment *)
+  doubtful : Timeline.moment option;  (** the first such moment; [Some] iff [doubt] is *)
 }
 
 (** The continuation of a state. *)

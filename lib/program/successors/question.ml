@@ -37,6 +37,7 @@ let semantics q = q.exploration.semantics
 (* Goals are numbered as they come. *)
 let plan (e : Check.exploration) goals (c : Property.check) =
   let add within prop =
+    let within = Known_early.within (Scc_semantics.Semantics.model e.semantics) ~initial:e.start within prop in
     goals := { within; prop } :: !goals;
     List.length !goals - 1
   in
@@ -74,6 +75,10 @@ let make ~reductions ~bits ~names ~number l =
     let plans = List.map (plan exploration goals) exploration.members in
     let goals = Array.of_list (List.rev !goals) in
     Ok { loaded = l; initial; reductions; bits; number; count; exploration; plans; goals }
+
+let horizon q =
+  let e = q.exploration in
+  Known_early.horizon (Scc_semantics.Semantics.model e.semantics) ~initial:e.start e.members
 
 let context q =
   let e = q.exploration in

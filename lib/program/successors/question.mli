@@ -7,7 +7,8 @@ open Scc_semantics
 open Scc_state_space
 open Scc_verify
 
-(** A state formula that a property searches for. *)
+(** A state formula that a property searches for, and the time up to which it counts. That is the bound of the
+    property, or a lesser time after which the formula is known to be false. *)
 type goal = { within : Scc_exact.Rat.t option; prop : Property.prop }
 
 (** How a verdict follows from goals, which are given by their numbers. *)
@@ -40,6 +41,9 @@ val make :
   (t, Diag.t list) result
 (** The question of the properties with these names, or of all if there are none. An unknown property or
     exploration is SC0922. *)
+
+val horizon : t -> Scc_exact.Rat.t option
+(** The time after which no property depends on states: no state that is reached later is expanded. *)
 
 val context : t -> Network_lts.context
 (** A new transition system of the exploration, with empty caches. *)

@@ -214,7 +214,7 @@ let header =
        field "exploration" Shared.from_one (question (fun q -> q.number));
        field "explorations" Shared.from_one (question (fun q -> q.count));
        field "horizon" maybe_number
-         (question (fun q -> Scc_verify.Joint_check.horizon q.exploration.members));
+         (question Question.horizon);
        field "left_out" Shared.texts (question (fun q -> q.exploration.left_out));
        field "checks" (list check) (question (fun q -> List.map (fun c -> (q, c)) q.plans));
        field "goals" (list goal) goals;
@@ -229,6 +229,7 @@ type t =
   | Header of header
   | Answer of Filter.t * Filter.expanded
   | Run of Property.check * (int * Schedule.t)
+  | Cycle of int * (int * Schedule.t)
   | Refused of Diag.t
 
 let run =
@@ -239,6 +240,11 @@ let run =
     ]
   |> about "A run that was found, by the rules." |> named "run"
 
+let cycle =
+  fields [ field "cycle" natural fst; field "schedule" (document ~file:"schedule" Schedule.format) snd ]
+  |> about "A run that comes back, within one instant, to the state after its first `cycle` transitions."
+  |> named "cycle"
+
 let refused =
   fields [ field "error" diagnostic Fun.id ] |> about "A line that is no state, or no run." |> named "refused"
 
@@ -248,6 +254,7 @@ let format =
       case header (function Header h -> Some h | _ -> None) ignore;
       case answer (function Answer (f, e) -> Some (f, e) | _ -> None) ignore;
       case run (function Run (check, schedule) -> Some (check, schedule) | _ -> None) ignore;
+      case cycle (function Cycle (from, schedule) -> Some (from, schedule) | _ -> None) ignore;
       case refused (function Refused d -> Some d | _ -> None) ignore;
     ]
   |> about

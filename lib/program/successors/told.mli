@@ -15,6 +15,8 @@ type t =
   | Header of header
   | Answer of Filter.t * Filter.expanded  (** the fingerprint and goals of a state, and its successors *)
   | Run of Scc_property.Property.check * (int * Scc_runs.Schedule.t)  (** a run that shows the verdict *)
+  | Cycle of int * (int * Scc_runs.Schedule.t)
+  (** a run that comes back within one instant, and how many transitions lead to where it comes back *)
   | Refused of Diag.t  (** the answer to bytes that are no state *)
 
 val format : (t, unit) Json_format.t

@@ -44,11 +44,11 @@ let what_moved context from state =
    every 2^k rounds is compared as well (Brent). *)
 let most_rounds = 100_000
 
-let follow_lasso context graph steps cycle =
+let follow_lasso context along steps cycle =
   let stem = List.filteri (fun i _ -> i < cycle) steps and round = drop cycle steps in
-  let entry = Followed.along context graph (Followed.start context) stem in
+  let entry = along (Followed.start context) stem in
   let rec again n ~(met : Followed.t) from =
-    let next = Followed.along context graph from round in
+    let next : Followed.t = along from round in
     let back_to (earlier : Followed.t) =
       let back moved = (next, moved, List.length earlier.steps) in
       Option.map back (what_moved context earlier.last next.last)
@@ -141,7 +141,7 @@ let of_trace context graph predicate (trace : Search.trace) =
     let finish = during context run.last moment sample in
     witness context run finish (facts run.last (extent context run.last) sample)
   | Repeats cycle ->
-    let ((run, _, _) as lasso) = follow_lasso context graph trace.steps cycle in
+    let ((run, _, _) as lasso) = follow_lasso context (Followed.along context graph) trace.steps cycle in
     witness context run (repeats context lasso) (facts run.last Timeline.Instant Algebraic.zero)
 
 (* The tuples that choices lead through, from the initial one. *)
@@ -156,10 +156,16 @@ let targets context choices =
   let last, reached = List.fold_left step (Network_lts.initial context, []) choices in
   (last, List.rev reached)
 
+let on context = List.fold_left (fun from (choice, target) -> Followed.step context from choice target)
+
+let of_cycle context choices ~from =
+  let _, reached = targets context choices in
+  let ((run, _, _) as lasso) = follow_lasso context (on context) reached from in
+  witness context run (repeats context lasso) []
+
 let of_met context p (met : Compact_search.met) =
   let last, reached = targets context met.choices in
-  let on from (choice, target) = Followed.step context from choice target in
-  let run = List.fold_left on (Followed.start context) reached in
+  let run = on context (Followed.start context) reached in
   let arrived event = Network_lts.arrived context event last in
   let facts extent offset = Facts.at ~arrived (Network_lts.semantics context) run.last extent offset p in
   match met.during with
@@ -178,7 +184,7 @@ let of_run context graph temporal (run : Scc_ctl.Run.t) =
   let steps = steps_of temporal run in
   match run.finish with
   | Repeats cycle ->
-    let ((followed, _, _) as lasso) = follow_lasso context graph steps cycle in
+    let ((followed, _, _) as lasso) = follow_lasso context (Followed.along context graph) steps cycle in
     witness context followed (repeats context lasso) []
   | At_state | During _ | Rests | Stops | Passes _ ->
     let followed = Followed.along context graph (Followed.start context) steps in

@@ -15,6 +15,9 @@ val of_met : Network_lts.context -> Property.prop -> Compact_search.met -> Witne
 (** The run to a state that a search with hash compaction has met, with the facts of the predicate at its
     end. *)
 
+val of_cycle : Network_lts.context -> int list -> from:int -> Witness.t
+(** The run of these choices, which comes back to the state after the first [from] of them. *)
+
 val of_path : Network_lts.context -> State_graph.t -> int -> Witness.t
 (** The shortest run to the state of a number. *)
 

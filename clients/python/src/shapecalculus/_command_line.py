@@ -78,9 +78,15 @@ def parser() -> argparse.ArgumentParser:
     )
     p.add_argument(
         "--order",
-        choices=["levels", "any"],
+        choices=["levels", "time", "any"],
         default="levels",
-        help="any: owners do not wait for each other; runs need not be the shortest, and nothing is kept",
+        help="time: by the times at which states are reached; any: owners do not wait for each other, and runs need not be the shortest. Only levels are kept",
+    )
+    p.add_argument(
+        "--memory",
+        type=positive(int),
+        metavar="MIB",
+        help="so much of each owner's tables is in memory, and the rest in files",
     )
     p.add_argument("--no-reduce", action="append", default=[], metavar="NAME,...")
     p.add_argument("--witness", metavar="FOLDER", help="write the schedule of each run that shows something")
@@ -111,4 +117,19 @@ def parser() -> argparse.ArgumentParser:
     for bound in ("depth", "time", "states", "seconds", "memory", "bits"):
         p.add_argument("--" + bound, metavar="N", help="for each point by itself")
     written(p)
+
+    p = commands.add_parser(
+        "estimate",
+        help="tell probabilities and means from many runs",
+        description=LIKE % ("estimate", "estimate"),
+        epilog=EXITS,
+    )
+    where(p, "runs (in a folder of this machine)")
+    p.add_argument("-D", "--define", type=define, action="append", default=[], metavar="NAME=VALUE")
+    for name in ("check", "property"):
+        p.add_argument("--" + name, action="append", default=[], metavar="NAME" if name == "check" else "PROPERTY")
+    for name in "confidence width runs most seed steps until free levels effort memory seconds".split():
+        p.add_argument("--" + name)
+    p.add_argument("--normal", action="store_true")
+    p.add_argument("--json", action="store_true")
     return top

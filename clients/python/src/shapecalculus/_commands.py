@@ -1,4 +1,4 @@
-"""What ``scc-cluster check``, ``simulate`` and ``sweep`` do and write, by Ray (specs/cluster.md)."""
+"""What ``scc-cluster check``, ``simulate``, ``sweep`` and ``estimate`` do and write, by Ray (specs/cluster.md)."""
 
 from __future__ import annotations
 
@@ -10,8 +10,9 @@ import time
 from typing import Any, Callable, List, Optional
 
 from . import cluster
+from ._estimation import estimated
 from ._guard import FAULT, STOPPED, UNWRITTEN, Failed
-from ._spread import Outcome, Place, simulated, swept
+from ._spread import Outcome, Place, option, simulated, swept
 
 #: What writes to standard output.
 Write = Callable[[bytes], None]
@@ -45,6 +46,14 @@ def as_text(report: cluster.Report) -> str:
         if v.schedule is not None:
             lines.append("    shown by a run of %d transitions" % len(v.schedule["choices"]))
     lines += report.dead_ends + report.faults
+    if report.zeno is not None:
+        lines.append("Zeno behaviour: a run that goes on for ever within one instant")
+        if report.zeno["schedule"] is None:
+            lines.append("    " + report.zeno["reason"])
+        else:
+            steps = len(report.zeno["schedule"]["choices"])
+            said = "    after %d transitions, the next %d again and again"
+            lines.append(said % (report.zeno["cycle"], steps - report.zeno["cycle"]))
     end = "; complete" if report.complete else ""
     depth = "" if report.depth is None else ", depth %d" % report.depth
     lines.append("explored: %d states, %d transitions%s%s" % (report.states, report.transitions, depth, end))
@@ -64,6 +73,7 @@ def as_json(report: cluster.Report) -> str:
         "recovered": report.recovered,
         "dead_ends": report.dead_ends,
         "faults": report.faults,
+        "zeno": report.zeno,
         "properties": [v.__dict__ for v in report.properties],
     }
     return json.dumps(document, indent=1) + "\n"
@@ -71,10 +81,13 @@ def as_json(report: cluster.Report) -> str:
 
 def write(report: cluster.Report, folder: str) -> None:
     os.makedirs(folder, exist_ok=True)
-    for v in report.properties:
-        if v.schedule is not None:
-            with open(os.path.join(folder, v.name + ".json"), "w", encoding="utf-8") as f:
-                json.dump(v.schedule, f, indent=1)
+    schedules = {v.name: v.schedule for v in report.properties}
+    if report.zeno is not None:
+        schedules["zeno-behaviour"] = report.zeno["schedule"]  # no property has this name
+    for name, schedule in schedules.items():
+        if schedule is not None:
+            with open(os.path.join(folder, name + ".json"), "w", encoding="utf-8") as f:
+                json.dump(schedule, f, indent=1)
 
 
 def code_of(report: cluster.Report) -> int:
@@ -110,6 +123,7 @@ def check(given: Any, out: Write) -> int:
         deadline=given.deadline,
         searches=given.searches,
         order=given.order,
+        memory=given.memory,
         scc=given.scc,
         progress=shown(time.time()),
     )
@@ -122,6 +136,9 @@ def check(given: Any, out: Write) -> int:
         unwritten = e  # The report is told all the same.
     text = as_json(report) if given.json else as_text(report)
     out(text.encode("utf-8", "backslashreplace"))
+    if report.unkept:
+        names = ", ".join("`%s`" % name for name in report.unkept)
+        sys.stderr.write("scc-cluster: nothing was kept of %s: bounds of time need the order of time\n" % names)
     sys.stderr.write(advice(report, time.monotonic() - begin))
     if unwritten is not None:
         raise unwritten
@@ -190,6 +207,20 @@ def spread(given: Any, out: Write) -> int:
     clear()
     noted(given.command, outcome)
     return outcome.code
+
+
+def estimate(given: Any, out: Write) -> int:
+    where = Place(given.address, given.deadline, given.checkpoint, counted())
+    names = "confidence width runs most seed steps until free levels effort memory".split()
+    options = [w for name in names for w in option(name, getattr(given, name))]
+    options += [w for name in ("check", "property") for text in getattr(given, name) for w in option(name, text)]
+    options += ["--normal"] if given.normal else []
+    of_answer = (["--json"] if given.json else []) + option("seconds", given.seconds)
+    arguments = dict(options=options, of_answer=of_answer, defines=dict(given.define), scc=given.scc)
+    done = estimated(given.model, where, out, **arguments)
+    clear()
+    sys.stderr.write(done.said)
+    return done.code
 
 
 def noted(command: str, o: Outcome) -> None:

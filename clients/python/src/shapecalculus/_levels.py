@@ -32,7 +32,9 @@ class Progress:
     transitions: int = 0
     runs: Dict[int, List[int]] = field(default_factory=dict)  # by goal that is met: the choices of a run
     doubts: List[int] = field(default_factory=list)  # goals
-    stopped: str = ""  # why it did not go to the end: "" or "early", "states", "levels"
+    open: List[int] = field(default_factory=list)  # goals that may be met after states that were not expanded
+    stopped: str = ""  # why it did not go to the end: "" or "early", "states", "levels", "late"
+    cycle: Optional[Dict[str, Any]] = None  # a run that comes back within one instant: "from" and "choices"
     faults: List[str] = field(default_factory=list)
     ends: List[str] = field(default_factory=list)
     too_long: int = 0
@@ -47,7 +49,7 @@ class Progress:
 def progress_of(told: Any) -> Progress:
     if "going" in told:
         return Progress(**told["going"])
-    rest = {k: told[k] for k in ("doubts", "faults", "ends", "too_long", "messages", "bytes")}
+    rest = {k: told[k] for k in ("doubts", "open", "cycle", "faults", "ends", "too_long", "messages", "bytes")}
     runs = {run["goal"]: run["choices"] for run in told["runs"]}
     return Progress(runs=runs, stopped=told["stopped"] or "", **told["found"], **rest)
 
@@ -191,7 +193,8 @@ class Exploration:
 
     def identity(self) -> Any:
         names = ["digest", "parameters", "program", "reductions", "exploration", "checks", "bounds"]
-        identity = dict({k: self.header[k] for k in names}, owners=self.count, asked=self.asked)
+        asked = {k: value for k, value in self.asked.items() if k != "memory"}
+        identity = dict({k: self.header[k] for k in names}, owners=self.count, asked=asked)
         return json.loads(json.dumps(identity))
 
     def kept_level(self) -> Optional[int]:

@@ -117,6 +117,39 @@ def do_part(work: Work, which: str, first: bytes) -> Done:
     return run(work.part(which, work.form))
 
 
+class Tries:
+    """How often tasks were lost. Ray does lost tasks again by itself; those that it gives up are given to it once more."""
+
+    def __init__(self, ray: Any):
+        self.ray = ray
+        self.again = 0  # how often tasks were lost and done again
+        self.of: Dict[int, int] = {}  # how often each of them was
+
+    def task(self, work: Callable[..., Done]) -> Any:
+        return self.ray.remote(num_cpus=1, max_retries=MOST_TRIES, scheduling_strategy="SPREAD")(work)
+
+    def got(self, part: int, future: Any) -> Optional[Done]:
+        """What a task has come to; None if it was lost, and is to be done again."""
+        lost = self.ray.exceptions
+        try:
+            done: Done = self.ray.get(future)
+        except (lost.WorkerCrashedError, lost.NodeDiedError, lost.ObjectLostError, lost.OutOfMemoryError) as e:
+            self.was_lost(part, str(e), MOST_TRIES)
+            return None
+        if done.code in (STOPPED, FAULT):
+            self.was_lost(part, done.said or "scc has exit code %d" % done.code, MOST_DEATHS)
+            return None
+        return done
+
+    def was_lost(self, part: int, why: str, most: int) -> None:
+        self.again += 1
+        self.of[part] = self.of.get(part, 0) + 1
+        if self.of[part] >= most:
+            raise ClusterFailed(
+                "part %d is lost again and again: %s" % (part + 1, first_line(without_name(why))), STOPPED
+            )
+
+
 # Parts --------------------------------------------------------------------------------
 
 
@@ -130,10 +163,8 @@ class Spread:
         cores = int(ray.cluster_resources().get("CPU", 1))
         self.parts = min(count, max(PARTS, 8 * cores))
         self.left: Set[int] = set()  # parts that are not done
-        self.again = 0  # how often tasks were lost and done again
-        self.tries: Dict[int, int] = {}
-        # Ray does lost tasks again by itself; those that it gives up are given to it once more.
-        self.task = ray.remote(num_cpus=1, max_retries=MOST_TRIES, scheduling_strategy="SPREAD")(do_part)
+        self.tries = Tries(ray)
+        self.task = self.tries.task(do_part)
 
     # Keeping --------------------------------------------------------------------------
 
@@ -188,27 +219,13 @@ class Spread:
 
     def got(self, part: int, future: Any) -> Optional[Done]:
         """What a task has come to; None if it was lost, and is to be done again."""
-        lost = self.ray.exceptions
-        try:
-            done: Done = self.ray.get(future)
-        except (lost.WorkerCrashedError, lost.NodeDiedError, lost.ObjectLostError, lost.OutOfMemoryError) as e:
-            self.was_lost(part, str(e), MOST_TRIES)
-            return None
-        if done.code in (STOPPED, FAULT):
-            self.was_lost(part, done.said or "scc has exit code %d" % done.code, MOST_DEATHS)
+        done = self.tries.got(part, future)
+        if done is None:
             return None
         whole = done.text.startswith(self.first_line) and done.text.endswith(b"\n")
         if done.code not in (0, 2, INVALID) or not whole:
             raise failed(done, "part %d" % (part + 1))
         return done
-
-    def was_lost(self, part: int, why: str, most: int) -> None:
-        self.again += 1
-        self.tries[part] = self.tries.get(part, 0) + 1
-        if self.tries[part] >= most:
-            raise ClusterFailed(
-                "part %d is lost again and again: %s" % (part + 1, first_line(without_name(why))), 4
-            )
 
     def run(
         self,

@@ -74,7 +74,7 @@ def spread(work: Work, runs: Optional[int], where: Place, write: Callable[[bytes
         for done in parts.run(show, where.disturb, where.ends and where.address is None):
             write(done.text[len(first_line) :])
             outcome.note(done)
-        outcome.again = parts.again
+        outcome.again = parts.tries.again
     if work.command == "sweep" and outcome.not_there == count:
         outcome.code = 3
     return outcome

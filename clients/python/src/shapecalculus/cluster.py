@@ -10,10 +10,12 @@ report = cluster.check("model.sc", address="ray://head:10001")    # on a cluster
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
 
+from ._estimation import estimate
 from ._files import Folder, place
 from ._guard import USAGE
 from ._levels import Exploration, Progress
@@ -32,6 +34,7 @@ __all__ = [
     "Verdict",
     "check",
     "connect",
+    "estimate",
     "simulate",
     "sweep",
 ]
@@ -43,7 +46,7 @@ LOST = "its run could not be rebuilt, as scc was lost: "
 
 
 class NotServed(ClusterFailed):
-    """A property that is not decided by a search without a bound of time."""
+    """A property that is not decided by searches for states."""
 
     def __init__(self, message: str):
         super().__init__(message, 64)
@@ -62,14 +65,18 @@ class Verdict:
 class Report:
     states: int = 0
     transitions: int = 0
-    depth: Optional[int] = 0  #: None if owners go in any order
+    depth: Optional[int] = 0  #: None if owners go in any order, or in that of time
     complete: bool = True
     properties: List[Verdict] = field(default_factory=list)
     dead_ends: List[str] = field(default_factory=list)
+    #: A run that goes on for ever within one instant: "cycle", how many transitions lead to the state to which it comes
+    #: back, and its "schedule". None if there is none, or if owners go in any order.
+    zeno: Optional[Dict[str, Any]] = None
     faults: List[str] = field(default_factory=list)
     recovered: int = 0  #: how often owners were lost and started again
     seconds: float = 0.0  #: of the explorations, without the start of Ray and of the owners
     owners: int = 0
+    unkept: List[str] = field(default_factory=list)  #: properties of which nothing is kept, though that was asked for
 
 
 # Verdicts -----------------------------------------------------------------------------
@@ -105,7 +112,7 @@ def verdict(plan: Any, p: Progress) -> str:
         return result
     if of in p.runs:
         return "holds" if kind == "possibly" else "violated"
-    if p.complete and of not in p.doubts:
+    if of not in p.open and of not in p.doubts:
         return "violated" if kind == "possibly" else "holds"
     bounded = of not in p.doubts and not p.faults and p.stopped != "levels"
     return "holds-up-to-bound" if kind == "always" and bounded else "undecided"
@@ -122,25 +129,37 @@ def goal_shown(plan: Any, p: Progress) -> Optional[int]:
 # Checks -------------------------------------------------------------------------------
 
 
-def goals_of(plan: Any) -> List[int]:
-    ((kind, of),) = plan.items()
-    if kind in ("all", "any"):
-        return [goal for part in of for goal in goals_of(part)]
-    return [of] if kind in ("possibly", "always") else []
+def has_bounds(header: Any) -> bool:
+    """Whether it matters when states are reached."""
+    return header["horizon"] is not None or any(goal["within"] is not None for goal in header["goals"])
 
 
-def served(header: Any, searches: bool) -> None:
-    def has_bound(c: Any) -> bool:
-        if c["plan"] is None:
-            return header["horizon"] is not None
-        return any(header["goals"][goal]["within"] is not None for goal in goals_of(c["plan"]))
+#: What is served of bounds of time, and where not.
+BOUNDS = "%s: bounds of time need the order of time, and not --order any"
 
-    timed = ", ".join("`%s`" % c["name"] for c in header["checks"] if has_bound(c))
-    if timed:
-        raise NotServed("a search by levels knows nothing of bounds of time, as of %s: ask scc check" % timed)
-    other = [c["name"] for c in header["checks"] if c["plan"] is None]
+
+#: Probabilities and means, of which runs tell something.
+NUMBER = re.compile(r"[PE]( min| max)? *(=|<|>)")
+
+
+def listed(checks: Sequence[Any]) -> str:
+    return ", ".join("`%s`" % c["name"] for c in checks)
+
+
+def served(header: Any, searches: bool, order: str) -> None:
+    other = [c for c in header["checks"] if c["plan"] is None and not c["premise"]]
     if other and not searches:
-        raise NotServed("`%s` is more than a search for a state: ask scc check, or for searches alone" % other[0])
+        numbers = [c for c in other if NUMBER.match(c["formula"])]
+        are = "is more than a search" if len(other) == 1 else "are more than searches"
+        advice = "`scc check` decides this; "
+        if numbers:
+            advice += "`scc-cluster estimate` tells of %s from runs; " % listed(numbers)
+        raise NotServed(
+            "%s %s for a state (operators of time within others, probabilities or means): %swith --searches all else "
+            "is decided here" % (listed(other), are, advice)
+        )
+    if order == "any" and has_bounds(header):
+        raise NotServed(BOUNDS % listed([c for c in header["checks"] if not c["premise"]]))
 
 
 def arguments_of(defines: Dict[str, str], checks: Sequence[str], options: Sequence[str]) -> List[str]:
@@ -161,6 +180,7 @@ def check(
     deadline: float = 60,
     searches: bool = False,
     order: str = "levels",
+    memory: Optional[int] = None,
     scc: Optional[str] = None,
     progress: Optional[Callable[[Progress], None]] = None,
     disturb: Optional[Callable[[Any], None]] = None,
@@ -171,17 +191,20 @@ def check(
     states (by default one for each processor). Shards are kept in the folder ``checkpoint`` about once a second (a
     path that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
-    that are more than a search are left undecided, and not refused. ``order``: "levels", or "any", with which owners do
-    not wait for each other, runs need not be the shortest, and nothing is kept. ``options`` go to ``scc successors``; ``disturb``
+    that are more than a search are left undecided, and not refused. ``order``: "levels"; "time", in which states are
+    taken in the order of the times at which they are reached, as by ``scc check --shortest time``; or "any", with which
+    owners do not wait for each other, and runs need not be the shortest. Where a property has a bound of time, "levels"
+    is "time". Levels alone are kept. ``memory``: MiB that each owner takes for its tables, beyond which they are in files.
+    ``options`` go to ``scc successors``; ``disturb``
     is called with each exploration once its owners are there (for tests)."""
     if model == "-":
         raise ClusterFailed(MANY, USAGE)
-    if order == "any" and checkpoint is not None:
-        raise ClusterFailed("with --order any nothing is kept: --checkpoint needs --order levels", USAGE)
+    if order != "levels" and checkpoint is not None:
+        raise ClusterFailed("with --order %s nothing is kept: --checkpoint needs --order levels" % order, USAGE)
     given = arguments_of(defines or {}, checks, options)
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
-        numbers = explorations(model, given, searches, scc)
+        numbers = explorations(model, given, searches, order, scc)
         base = checkpoint or (scratch if address is None else None)
         folders: Dict[int, Optional[Folder]] = dict.fromkeys(numbers)
         if base is not None:
@@ -193,18 +216,19 @@ def check(
         for number, folder in folders.items():
             of_this = given + ["--exploration", str(number)]
             here = address is None
-            explored(ray, model, of_this, scc, owners, folder, states, order, here, progress, disturb, report)
+            keeps = checkpoint is not None
+            explored(ray, model, of_this, scc, owners, folder, states, order, memory, here, keeps, progress, disturb, report)
     return report
 
 
-def explorations(model: str, given: List[str], searches: bool, scc: Optional[str]) -> List[int]:
+def explorations(model: str, given: List[str], searches: bool, order: str, scc: Optional[str]) -> List[int]:
     """Their numbers. All are looked at before anything is explored."""
     count, number = 1, 0
     while number < count:
         number += 1
         f = Filter(model, given + ["--exploration", str(number)], scc=scc)
         f.close()
-        served(f.header, searches)
+        served(f.header, searches, order)
         count = f.header["explorations"]
     return list(range(1, count + 1))
 
@@ -218,7 +242,9 @@ def explored(
     folder: Optional[Folder],
     states: int,
     order: str,
+    memory: Optional[int],
     here: bool,
+    keeps: bool,
     progress: Optional[Callable[[Progress], None]],
     disturb: Optional[Callable[[Any], None]],
     report: Report,
@@ -227,14 +253,22 @@ def explored(
     lines.close()  # until there are runs to be shown
     header = lines.header
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
-    asked = {"states": states, "order": order}
+    if order == "levels" and has_bounds(header):
+        order = "time"
+    if order != "levels":
+        folder = None
+        report.unkept += [c["name"] for c in header["checks"] if keeps and not c["premise"]]
+    asked: Dict[str, Any] = {"states": states, "order": order}
+    if memory is not None:
+        asked["memory"] = memory
     path, show = os.path.abspath(model), metrics(ray, progress)
     e = Exploration(ray, path, given, scc, header, count, folder, asked, here, show)
     try:
         p = e.run(disturb)
         report.states += p.states
         report.transitions += p.transitions
-        report.depth = None if order == "any" else max(report.depth or 0, p.depth)
+        deepest = order == "levels" and report.depth is not None
+        report.depth = max(report.depth or 0, p.depth) if deepest else None
         report.seconds, report.owners = report.seconds + e.seconds, count
         report.complete = report.complete and p.complete
         report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
@@ -245,6 +279,8 @@ def explored(
                 choices = None if goal is None else p.runs[goal]
                 schedule, why = (None, []) if choices is None else replayed(model, given, scc, goal, choices)
                 report.properties.append(shown(c, p, states, header, schedule, why))
+        if p.cycle is not None and report.zeno is None:
+            report.zeno = comes_back(model, given, scc, p.cycle)
         report.recovered += e.recovered
     finally:
         e.close()
@@ -264,6 +300,18 @@ def replayed(
         return None, [LOST + str(e)]
     except FilterFailed as e:
         return None, [REFUSED + str(e)]
+
+
+def comes_back(model: str, given: List[str], scc: Optional[str], found: Dict[str, Any]) -> Dict[str, Any]:
+    """A cycle in which no time passes, by the rules; or as it was found, if these are not to be had."""
+    try:
+        lines = Filter(model, given, scc=scc)
+        try:
+            return dict(lines.cycle(found["from"], found["choices"]))
+        finally:
+            lines.close()
+    except FilterFailed as e:
+        return {"cycle": found["from"], "schedule": None, "reason": REFUSED + str(e)}
 
 
 def shown(

@@ -27,7 +27,8 @@ def work(arguments: Optional[List[str]], out: Callable[[bytes], None]) -> int:
         from . import _commands
     except ModuleNotFoundError as e:
         raise Failed("%s is not installed: pip install 'shapecalculus[cluster]'" % e.name, USAGE) from None
-    return _commands.check(given, out) if given.command == "check" else _commands.spread(given, out)
+    by_name = {"check": _commands.check, "estimate": _commands.estimate}
+    return by_name.get(given.command, _commands.spread)(given, out)
 
 
 def ending() -> None:

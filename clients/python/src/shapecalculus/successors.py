@@ -117,7 +117,14 @@ class Filter(Program):
 
     def run(self, goal: int, choices: Sequence[int]) -> Any:
         """The schedule of a run that was found, and the property that it is about."""
-        self._send(json.dumps({"goal": goal, "choices": list(choices)}).encode() + b"\n")
+        return self._replayed({"goal": goal, "choices": list(choices)})
+
+    def cycle(self, start: int, choices: Sequence[int]) -> Any:
+        """The schedule of a run that comes back within one instant, and how many transitions lead to where it does."""
+        return self._replayed({"cycle": start, "choices": list(choices)})
+
+    def _replayed(self, run: Any) -> Any:
+        self._send(json.dumps(run).encode() + b"\n")
         assert self.process.stdout is not None
         line = self.process.stdout.readline()
         if not line:
