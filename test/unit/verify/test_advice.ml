@@ -99,7 +99,7 @@ let judge what (model, from) (r : Check.report) =
   is "causes of a bound that they lead to" (s.causes = [] || List.exists of_resources s.stopped_by);
   is "bits where they were met" (Option.is_none s.growth || List.exists of_bits s.stopped_by);
   let one (o : Verdict.outcome) =
-    match Scc_estimate.Cure.of_outcome model ~from o with
+    match Scc_estimate.Cure.of_outcome model ~parameter:None ~from o with
     | None -> ()
     | Some _ ->
       incr cures;
@@ -138,7 +138,7 @@ let cures_of_checks () =
   let options = { Setup.default with bounds = { bounds with states = Given 50 } } in
   let asked ?(model = drawn) formula =
     let (model, from), r = run options (model ^ "check c : " ^ formula ^ "\n") in
-    List.map (fun o -> Scc_estimate.Cure.of_outcome model ~from o) r.outcomes
+    List.map (fun o -> Scc_estimate.Cure.of_outcome model ~parameter:None ~from o) r.outcomes
   in
   let runs what = "`scc estimate --check c` tells " ^ what ^ " with a confidence" in
   let interval = runs "it from many runs, by an interval" in
