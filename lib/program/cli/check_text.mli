@@ -8,8 +8,8 @@ val property :
   Console.t -> full:bool -> ?parameter:string -> ?where:Scc_regions.Where.t -> Semantics.t ->
   from:Scc_calculus.State.t -> Verdict.outcome -> string
 (** A verdict in several lines with its witness, ended by a newline. Runs begin in the state [from]. The run is
-    reduced to its relevant steps, or complete if [full]; then numbers have all their digits. Where the model is asked
-    about for all values of [parameter] (rule Parametric) no runs are shown, and nothing is said of that. *)
+    reduced to its relevant steps, or complete if [full]; then numbers have all their digits. Where the model is
+    asked about for all values of [parameter] (rule Parametric) no runs are shown, and nothing is said of that. *)
 
 val no_run : Scc_property.Property.temporal -> string
 (** Why no run is shown from the start of a model with ranges for which the formula is violated. *)

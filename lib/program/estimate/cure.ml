@@ -33,7 +33,8 @@ let several_bounce (m : Model.t) =
 let of_path model ~parameter (path : Path.t) =
   let ends = match path.horizon with Some _ -> "" | None -> ", if most of them come to where it is known" in
   let free = if several_bounce model then "; with `--free evenly` where walkers bounce off each other" else "" in
-  let unknown = Option.to_list parameter @ List.map (fun (r : Ranges.range) -> r.name) (Array.to_list model.ranges) in
+  let ranges = List.map (fun (r : Ranges.range) -> r.name) (Array.to_list model.ranges) in
+  let unknown = Option.to_list parameter @ ranges in
   let given = String.concat "" (List.map (Printf.sprintf " -D %s=VALUE") unknown) in
   let there = match unknown with [] -> "" | [ _ ] -> ", for that value" | _ -> ", for these values" in
   let by_runs what =

@@ -83,8 +83,8 @@ val remove : t -> int -> int
 (** [remove t key] takes a leaf away that has a sibling. The result is the node that had been above its parent. *)
 
 val refit : t -> int -> unit
-(** [refit t i] restores the balance and the boxes of the nodes from [i] upwards, after the box of a child of [i] or
-    its height has changed. *)
+(** [refit t i] restores the balance and the boxes of the nodes from [i] upwards, after the box of a child of [i]
+    or its height has changed. *)
 
 (** {1 Marks}
 

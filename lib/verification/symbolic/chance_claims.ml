@@ -140,7 +140,13 @@ let not_after ~n bad states =
 
 (* The states (y, d) of a trajectory at which the goal comes first, for sure or if the claim holds wherever it is
    undecided; at which the goal, or the claim, is undecided; and at which the claim fails. *)
-type on_the_way = { won : Union.t; won_perhaps : Union.t; open_goal : Union.t; open_claim : Union.t; lost : Union.t }
+type on_the_way = {
+  won : Union.t;
+  won_perhaps : Union.t;
+  open_goal : Union.t;
+  open_claim : Union.t;
+  lost : Union.t;
+}
 
 let on_the_way t (z : Zone.t) =
   let n = Zone.dimension z - 1 in

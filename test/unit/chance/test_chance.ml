@@ -307,8 +307,8 @@ let in_turn () =
   check "decided" ("interval", 1, true) (shared ~time:1_000 ~needed:240 ~intervals:10 ~enough:true);
   check "no time" ("interval", 1, true) (shared ~time:0 ~needed:5 ~intervals:10 ~enough:false)
 
-(* A cycle in which each state is as far from its value as the one before: what becomes nearer goes around it, and the
-   others, which rounding takes farther, never settle at once. *)
+(* A cycle in which each state is as far from its value as the one before: what becomes nearer goes around it, and
+   the others, which rounding takes farther, never settle at once. *)
 let around () =
   let plain =
     [|
