@@ -317,12 +317,15 @@ class Bodies {
   }
 
   /**
-   * A seam around a leaf: wide lines behind its edges, which its faces hide.
+   * A seam around a leaf: wide lines along its edges, where none of the leaves with seams is seen.
    * @param {number} leaf
    */
   #halo(leaf) {
-    return this.#kind(`halo ${this.shapes[leaf]}`, () =>
-      new Kind({ lines: Surface.edges(this.models[leaf]) }, { own: true, line: 9, pull: -50, order: -3 }));
+    const heart = this.walls.get(leaf);
+    return this.#kind(`halo ${this.shapes[leaf]} ${heart ? heart.value : ""}`, () => {
+      const { faces, lines } = Shapes.body(this.models[leaf], this.sizes[leaf]);
+      return new Kind({ faces, lines }, { own: true, line: 9, pull: 3, order: -3, seam: true, ...(heart ? { heart } : {}) });
+    });
   }
 
   /** @param {Chosen} chosen @param {string} what @param {number[]} tint */
