@@ -27,6 +27,11 @@ class Bodies {
      * @type {Map<number, { value: number[] }>}
      */
     this.walls = new Map();
+    /**
+     * Walls that are cut away, besides those that are around others by themselves.
+     * @type {Set<number>}
+     */
+    this.cut = new Set();
     /** The heart of walls that are not around others by themselves: the middle of all that moves. */
     this.heart = { value: [0, 0, 0, 0] };
     /** @type {[number, number, number][]} */
@@ -117,8 +122,29 @@ class Bodies {
   /** @param {ReturnType<typeof Walls.find>} walls */
   setWalls(walls) {
     this.walls = new Map([...walls].map(([leaf, heart]) => [leaf, heart ? { value: [...heart, 1] } : this.heart]));
+    this.cut = new Set();
     this.#paint();
     this.#forget();
+  }
+
+  /**
+   * Cuts away these walls, which are not around others by themselves, and no other ones.
+   * @param {Set<number>} cut
+   */
+  setCut(cut) {
+    if (cut.size === this.cut.size && [...cut].every((leaf) => this.cut.has(leaf))) return;
+    this.cut = cut;
+    this.whole = [];
+    this.relay();
+  }
+
+  /**
+   * The heart of a wall that is cut away.
+   * @param {number} leaf
+   */
+  #heartOf(leaf) {
+    const heart = this.walls.get(leaf);
+    return heart === this.heart && !this.cut.has(leaf) ? undefined : heart;
   }
 
   /** What is fixed is near to the colour of the page, and walls are even more. */
@@ -175,7 +201,7 @@ class Bodies {
   #body(leaf) {
     const known = this.whole[leaf];
     if (known) return known;
-    const { absorbs } = this.leaves[leaf], heart = this.walls.get(leaf);
+    const { absorbs } = this.leaves[leaf], heart = this.#heartOf(leaf);
     const around = !heart ? "" : heart === this.heart ? "wall" : `wall ${heart.value}`;
     const kind = this.#kind(`body ${this.shapes[leaf]} ${around}`, () => {
       const made = new Kind(Shapes.body(this.models[leaf], this.sizes[leaf] / 4), {
@@ -272,7 +298,7 @@ class Bodies {
         const leaf = place.leaf;
         const shown = (this.shown[n] = {
           leaf, parts: this.models[leaf], size: this.sizes[leaf], moves, body, place, drawn: [],
-          heart: this.walls.get(leaf),
+          heart: this.#heartOf(leaf),
           matrix: this.shown[n] ? this.shown[n].matrix : new Float64Array(12),
         });
         n++;
@@ -321,7 +347,7 @@ class Bodies {
    * @param {number} leaf
    */
   #halo(leaf) {
-    const heart = this.walls.get(leaf);
+    const heart = this.#heartOf(leaf);
     return this.#kind(`halo ${this.shapes[leaf]} ${heart ? heart.value : ""}`, () => {
       const { faces, lines } = Shapes.body(this.models[leaf], this.sizes[leaf]);
       return new Kind({ faces, lines }, { own: true, line: 9, pull: 3, order: -3, seam: true, ...(heart ? { heart } : {}) });

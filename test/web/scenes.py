@@ -257,7 +257,7 @@ def size_of(png):
     return struct.unpack('>II', chunks(png)['IHDR'][:8])
 
 
-#: Pixels of pictures, of which a mask says what is there: where it is opaque, or not white. How many both have, and how many
+#: Pixels of pictures, of which a mask says what is there: where it is opaque, or not white, as glass is. How many both have, and how many
 #: one of them has alone.
 MASKS = '''
 const [one, two, width, height, done] = arguments;
@@ -274,7 +274,7 @@ async function mask(address, there) {
   return all;
 }
 (async () => {
-  const a = await mask(one, (r, g, b, alpha) => alpha > 127), b = await mask(two, (r, g, b) => r + g + b < 744);
+  const a = await mask(one, (r, g, b, alpha) => alpha > 127), b = await mask(two, (r, g, b) => r + g + b < 762);
   // Pixels of one of them that are more than two pixels away from the other one: lines differ in their widths.
   const away = (one, two) => one.filter((x, i) => {
     if (!x) return false;
@@ -321,6 +321,11 @@ SIGHTS = [
     ('specs/models/latch.sc', 'document.getElementById("tool-projection").click()'),
     ('specs/models/capsid.sc', 'document.getElementById("tool-up").click()'),
     ('specs/models/gears.sc', 'document.getElementById("tool-up").click(); document.getElementById("tool-up").click()'),
+    ('specs/models/brownian.sc', ''),
+    ('specs/models/glycolysis.sc', 'document.getElementById("tool-projection").click()'),
+    ('specs/models/exclusion.sc', ''),
+    ('specs/models/billiard.sc', 'document.getElementById("tool-up").click()'),
+    ('specs/models/ligand.sc', ''),
 ]
 
 
