@@ -74,6 +74,29 @@ def marks(b, scc):
          [('enzyme', 'split'), ('glucose', 'split')])
     b.js('scc.go(4)')
     same('of a bond that is made', [one.split()[-1] for one in b.js('return scc.marks().ends')], ['made', 'made'])
+    for model in ['brownian', 'glycolysis']:
+        b.open(scc.view(f'specs/models/{model}.sc', '--graph', '4', '--seconds', '5'))
+        check(f'seams are whole within the room of {model}', b.js(SEEN, LIT) > 1000, b.js(SEEN, LIT))
+    same('the console is told nothing', b.complaints(), [])
+
+
+SHADED = """import <solids>
+fixed slab = solids.Plank(6, 1/2, 6)
+process p = solids.Cube(2) mass 1 at translate (0, 2, 0) [nil]
+"""
+
+
+def shadows(b, scc):
+    """Shadows are straight below what has them, and soft."""
+    b.prefer(color_scheme='light')
+    b.open(scc.view(written(scc, SHADED)))
+    seen = b.js("""return [...Array(60).keys()].map((i) => scc.sight([0.3 + i / 30, 0.25, 0.9])).map(({ name, color }) => [name, color[1]])""")
+    same('what is looked at', {name for name, _ in seen}, {'slab'})
+    lights = [light for _, light in seen]
+    check('it is dark below the body, and light beside it', lights[-1] - lights[0] > 25, lights)
+    check('from dark to light by small steps', max(abs(y - x) for x, y in zip(lights, lights[1:])) <= 12, lights)
+    among = [light for light in lights if lights[0] + 2 < light < lights[-1] - 2]
+    check('of which there are many', len(set(among)) >= 6, among)
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -485,4 +508,4 @@ def dialog(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-PARTS = [marks, gone, compared, beyond, silhouettes, by_schedule, pictures, readme, films, dialog]
+PARTS = [marks, shadows, gone, compared, beyond, silhouettes, by_schedule, pictures, readme, films, dialog]
