@@ -88,11 +88,11 @@ const Shaders = (() => {
   };
 
   const line = {
-    // Lines of so many pixels. What is behind the camera is cut off first.
+    // Lines of so many pixels, and some more for a smooth border. What is behind the camera is cut off first.
     vertex: `
     ${rows} in vec3 other; in float side; in vec4 color;
     uniform vec2 size; uniform float width; uniform float near; uniform float pull; uniform float fade;
-    out vec4 vColor;
+    out vec4 vColor; out float vAcross;
     vec4 place(vec3 q) {
       vec4 p = vec4(q, 1.0);
       return camera * vec4(dot(row0, p), dot(row1, p), dot(row2, p), 1.0);
@@ -105,14 +105,20 @@ const Shaders = (() => {
       // The edges of what is small in the picture would hide it.
       float seen = fade > 0.5 ? smoothstep(1.0, 12.0, 0.5 * length(d)) : 1.0;
       d = length(d) > 0.0 ? normalize(d) : vec2(0.0);
-      a.xy += (side * vec2(-d.y, d.x) - 0.5 * d) * width * a.w / size;
+      a.xy += (side * (width + 1.5) * vec2(-d.y, d.x) - 0.5 * width * d) * a.w / size;
+      // At the other end of a ribbon its sides have changed places.
+      vAcross = ((gl_VertexID & 2) == 0 ? 0.5 : -0.5) * side * (width + 1.5);
       a.z -= pull * a.w;
       vColor = vec4(mix(tint.rgb, color.rgb, color.a), seen * (1.0 - tint.a));
       gl_Position = a;
     }`,
     fragment: `
-    uniform vec3 ink; uniform float opacity; uniform float own; in vec4 vColor; out vec4 color;
-    void main() { color = vec4(mix(ink, vColor.rgb, own), opacity * vColor.a); }`,
+    uniform vec3 ink; uniform float opacity; uniform float own; uniform float width;
+    in vec4 vColor; in float vAcross; out vec4 color;
+    void main() {
+      float seen = clamp((0.5 * width - abs(vAcross)) / fwidth(vAcross) + 0.5, 0.0, 1.0);
+      color = vec4(mix(ink, vColor.rgb, own), opacity * seen * vColor.a);
+    }`,
   };
 
   return { face, depth, line, shaded };
