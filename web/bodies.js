@@ -215,6 +215,12 @@ class Bodies {
   }
 
   /**
+   * How large a leaf is for what is drawn on it: marks of a body that is much larger than all others would hide these.
+   * @param {number} leaf
+   */
+  #scale(leaf) { return Math.min(this.sizes[leaf], 2 * this.usual || Infinity); }
+
+  /**
    * What is open on a leaf.
    * @param {number} leaf @param {number} behaviour
    */
@@ -233,7 +239,7 @@ class Bodies {
       const name = `open ${co} ${site.join()} ${rank} ${count} ${this.shapes[leaf]}`;
       return {
         kind: this.#kind(name, () => {
-          const shape = Shapes.feature(this.models[leaf][part], kind, index, this.sizes[leaf], co, rank, count);
+          const shape = Shapes.feature(this.models[leaf][part], kind, index, this.#scale(leaf), co, rank, count);
           const style = { stripes: co, other: this.colors.plate, flat: kind === "face", pull: 1, line: 1.5, order: 1 };
           const one = new Kind(shape, style);
           one.ink.value = this.colors.plate;
@@ -252,7 +258,7 @@ class Bodies {
    */
   #mark(what, leaf, [part, kind, index], held) {
     return this.#kind(`${what} ${part} ${kind} ${index} ${this.shapes[leaf]}`, () => {
-      const size = this.sizes[leaf], model = this.models[leaf][part];
+      const size = this.#scale(leaf), model = this.models[leaf][part];
       if (!held) return new Kind({ faces: Shapes.band(model, kind, index, size) }, { flat: true, ghost: 0.3, pull: 2, order: 2 });
       const faces = new Shapes.Triangles();
       Shapes.ball(faces, Shapes.middle(Shapes.corners(model, kind, index)), 0.06 * size);

@@ -347,6 +347,8 @@ const Plots = (() => {
     }
     const marks = truth ? [0, 1].map((value) => /** @type {[number, string]} */ ([value, said(truth, value)]))
       : Timeline.labels(Timeline.steps(low, high, 3), 4);
+    /** @type {SVGElement[]} */
+    const ticks = [];
     for (const [value, text] of marks) {
       picture.append(
         Dom.draw("line", {
@@ -357,16 +359,10 @@ const Plots = (() => {
           y2: y(value),
           stroke: "#8884",
         }),
-        Dom.draw("text", {
-          class: "plot-tick",
-          x: Timeline.margin + 3,
-          y: y(value) - 3,
-          text,
-          "font-size": 10,
-          "font-family": "sans-serif",
-          fill: "#777",
-        }),
       );
+      ticks.push(Dom.draw("text", {
+        class: "plot-tick", x: Timeline.margin + 3, y: y(value) - 3, text, "font-size": 10, "font-family": "sans-serif", fill: "#777",
+      }));
     }
     // Those of a second run are below.
     const beside = others.map((stroke) =>
@@ -393,6 +389,8 @@ const Plots = (() => {
       picture.append(Dom.draw("path", { class: "plot-line", d: path, "stroke-width": 1.6, ...pen }));
     if (dots !== "")
       picture.append(Dom.draw("path", { class: "plot-line", d: dots, "stroke-width": 5, ...pen }));
+    // Words are over all lines.
+    picture.append(...ticks);
     return { picture, y };
   }
 
