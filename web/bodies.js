@@ -218,7 +218,10 @@ class Bodies {
    * How large a leaf is for what is drawn on it: marks of a body that is much larger than all others would hide these.
    * @param {number} leaf
    */
-  #scale(leaf) { return Math.min(this.sizes[leaf], 2 * this.usual || Infinity); }
+  #scale(leaf) {
+    const size = this.sizes[leaf];
+    return this.usual > 0 ? Math.min(size, Math.sqrt(2 * this.usual * size)) : size;
+  }
 
   /**
    * What is open on a leaf.

@@ -476,7 +476,7 @@ def sizes(b):
     """Why, choices and events are seen without scrolling. Narrow pages show one side at a time."""
     panels = """
       const { contentDocument: inner, clientHeight: high, clientWidth: wide } = document.querySelector("iframe");
-      return ["stage", "why", "choices-panel", "events"].map((id) => inner.getElementById(id).getBoundingClientRect())
+      return ["stage", "tabs-panel", "choices-panel", "events"].map((id) => inner.getElementById(id).getBoundingClientRect())
         .map(({ left, right, top, bottom }) => [left >= 0 && right <= wide, Math.min(bottom, high) - Math.max(0, top)]);"""
     seen = b.js(panels)
     check('in view at once: the scene, why, choices, events', all(within and high >= least for (within, high), least in
