@@ -1037,6 +1037,10 @@ def large(b, scc):
     same('its value', b.js('return scc.plots()[scc.plots().length - 1].value'), '3')
     rows = b.js('return [...document.querySelectorAll(".plot .plot-line")].pop().getAttribute("d")')
     check('along the whole run', len(set(re.findall(r'[ML][0-9.]+ ([0-9.]+)', rows))) == 1 and len(rows) > 1000, rows[:200])
+    # A number that was not computed tells what one can do instead, whole.
+    b.open(scc.view('specs/models/gas.sc', '-D', 'n=6', '--graph', '2', '--seconds', '5'))
+    why = b.js('return document.querySelector("[data-testid^=plot-why-]").textContent')
+    check('what is not computed says what to choose', why.endswith('choose a number of some bodies'), why)
     same('the console is told nothing', b.complaints(), [])
 
 

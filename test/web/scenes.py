@@ -2,7 +2,9 @@
 import base64
 import os
 import shlex
+import shutil
 import struct
+import subprocess
 from fractions import Fraction
 
 from browser import Keys, Select
@@ -479,6 +481,13 @@ def films(b, scc):
     same('the same each time', saved(b, **wishes) == film, True)
     same('afterwards the page is where it was', b.state(), where)
     wide, high = b.js('return [scene.clientWidth, scene.clientHeight]')
+    if shutil.which('ffprobe'):
+        path = scc.file('.webm')
+        with open(path, 'wb') as f:
+            f.write(film)
+        told = subprocess.run(['ffprobe', '-v', 'error', '-count_frames', '-show_entries', 'stream=nb_read_frames:format=duration',
+                               '-of', 'csv=p=0', path], capture_output=True, text=True).stdout.split()
+        check('ffprobe counts its frames', told and told[0] == '25' and abs(float(told[1]) - 2.5) < 0.05, told)
     blank(b, scc, f'<video muted src="{address("video/webm", film)}"></video>')
     seen = b.wait('const film = document.querySelector("video"); return film.error ? [film.error.message] : '
                   'film.readyState > 1 && [film.duration, film.videoWidth, film.videoHeight]')
