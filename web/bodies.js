@@ -27,6 +27,11 @@ class Bodies {
      * @type {Map<number, { value: number[] }>}
      */
     this.walls = new Map();
+    /**
+     * Walls that are cut away, besides those that are around others by themselves.
+     * @type {Set<number>}
+     */
+    this.cut = new Set();
     /** The heart of walls that are not around others by themselves: the middle of all that moves. */
     this.heart = { value: [0, 0, 0, 0] };
     /** @type {[number, number, number][]} */
@@ -117,8 +122,29 @@ class Bodies {
   /** @param {ReturnType<typeof Walls.find>} walls */
   setWalls(walls) {
     this.walls = new Map([...walls].map(([leaf, heart]) => [leaf, heart ? { value: [...heart, 1] } : this.heart]));
+    this.cut = new Set();
     this.#paint();
     this.#forget();
+  }
+
+  /**
+   * Cuts away these walls, which are not around others by themselves, and no other ones.
+   * @param {Set<number>} cut
+   */
+  setCut(cut) {
+    if (cut.size === this.cut.size && [...cut].every((leaf) => this.cut.has(leaf))) return;
+    this.cut = cut;
+    this.whole = [];
+    this.relay();
+  }
+
+  /**
+   * The heart of a wall that is cut away.
+   * @param {number} leaf
+   */
+  #heartOf(leaf) {
+    const heart = this.walls.get(leaf);
+    return heart === this.heart && !this.cut.has(leaf) ? undefined : heart;
   }
 
   /** What is fixed is near to the colour of the page, and walls are even more. */
@@ -175,7 +201,7 @@ class Bodies {
   #body(leaf) {
     const known = this.whole[leaf];
     if (known) return known;
-    const { absorbs } = this.leaves[leaf], heart = this.walls.get(leaf);
+    const { absorbs } = this.leaves[leaf], heart = this.#heartOf(leaf);
     const around = !heart ? "" : heart === this.heart ? "wall" : `wall ${heart.value}`;
     const kind = this.#kind(`body ${this.shapes[leaf]} ${around}`, () => {
       const made = new Kind(Shapes.body(this.models[leaf], this.sizes[leaf] / 4), {
@@ -186,6 +212,15 @@ class Bodies {
     });
     this.whole[leaf] = kind;
     return kind;
+  }
+
+  /**
+   * How large a leaf is for what is drawn on it: marks of a body that is much larger than all others would hide these.
+   * @param {number} leaf
+   */
+  #scale(leaf) {
+    const size = this.sizes[leaf];
+    return this.usual > 0 ? Math.min(size, Math.sqrt(2 * this.usual * size)) : size;
   }
 
   /**
@@ -207,7 +242,7 @@ class Bodies {
       const name = `open ${co} ${site.join()} ${rank} ${count} ${this.shapes[leaf]}`;
       return {
         kind: this.#kind(name, () => {
-          const shape = Shapes.feature(this.models[leaf][part], kind, index, this.sizes[leaf], co, rank, count);
+          const shape = Shapes.feature(this.models[leaf][part], kind, index, this.#scale(leaf), co, rank, count);
           const style = { stripes: co, other: this.colors.plate, flat: kind === "face", pull: 1, line: 1.5, order: 1 };
           const one = new Kind(shape, style);
           one.ink.value = this.colors.plate;
@@ -226,7 +261,7 @@ class Bodies {
    */
   #mark(what, leaf, [part, kind, index], held) {
     return this.#kind(`${what} ${part} ${kind} ${index} ${this.shapes[leaf]}`, () => {
-      const size = this.sizes[leaf], model = this.models[leaf][part];
+      const size = this.#scale(leaf), model = this.models[leaf][part];
       if (!held) return new Kind({ faces: Shapes.band(model, kind, index, size) }, { flat: true, ghost: 0.3, pull: 2, order: 2 });
       const faces = new Shapes.Triangles();
       Shapes.ball(faces, Shapes.middle(Shapes.corners(model, kind, index)), 0.06 * size);
@@ -272,7 +307,7 @@ class Bodies {
         const leaf = place.leaf;
         const shown = (this.shown[n] = {
           leaf, parts: this.models[leaf], size: this.sizes[leaf], moves, body, place, drawn: [],
-          heart: this.walls.get(leaf),
+          heart: this.#heartOf(leaf),
           matrix: this.shown[n] ? this.shown[n].matrix : new Float64Array(12),
         });
         n++;
@@ -317,12 +352,15 @@ class Bodies {
   }
 
   /**
-   * A seam around a leaf: wide lines behind its edges, which its faces hide.
+   * A seam around a leaf: wide lines along its edges, where none of the leaves with seams is seen.
    * @param {number} leaf
    */
   #halo(leaf) {
-    return this.#kind(`halo ${this.shapes[leaf]}`, () =>
-      new Kind({ lines: Surface.edges(this.models[leaf]) }, { own: true, line: 9, pull: -50, order: -3 }));
+    const heart = this.#heartOf(leaf);
+    return this.#kind(`halo ${this.shapes[leaf]} ${heart ? heart.value : ""}`, () => {
+      const { faces, lines } = Shapes.body(this.models[leaf], this.sizes[leaf]);
+      return new Kind({ faces, lines }, { own: true, line: 9, pull: 3, order: -3, seam: true, ...(heart ? { heart } : {}) });
+    });
   }
 
   /** @param {Chosen} chosen @param {string} what @param {number[]} tint */

@@ -47,7 +47,7 @@ class Ghosts {
     const name = JSON.stringify(leaf.parts.map((p) => [p.solid, p.offset]));
     let kind = this.kinds.get(name);
     if (!kind) {
-      kind = new Kind({ lines: Surface.edges(parts) }, { own: true, line: 1.5, lineOpacity: 0.8, ghost: 0.25, order: 2 });
+      kind = new Kind({ lines: Surface.edges(parts) }, { own: true, line: 2, lineOpacity: 0.9, ghost: 0.25, order: 2 });
       this.kinds.set(name, kind);
       this.gl.add(...kind.things);
     }

@@ -55,9 +55,9 @@ class Mesh {
  *
  * How something is drawn. blend: it lets through what is behind it; over: it is not
  * hidden by anything; flat: it leaves the depth as it is; both: both sides are seen; offset: of its depth, by slope and
- * by units.
+ * by units; mask: it is not drawn itself, but where it would be seen nothing is drawn that is to be around masks.
  * @typedef {{ program: GlProgram, uniforms: GlUniforms, blend?: boolean, over?: boolean, flat?: boolean, both?: boolean,
- *   offset?: [number, number] }} GlPaint
+ *   offset?: [number, number], mask?: "is" | "around" }} GlPaint
  *
  * What is drawn: first all that is opaque, then the others, each in their order. casts: it has a shadow.
  * @typedef {{ mesh: Mesh, paint: GlPaint, order: number, visible: boolean, casts?: boolean }} GlThing
@@ -78,7 +78,7 @@ class Gl {
    */
   static on(canvas, restored) {
     try {
-      const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, premultipliedAlpha: true });
+      const gl = canvas.getContext("webgl2", { alpha: true, antialias: true, stencil: true, premultipliedAlpha: true });
       return gl ? new Gl(canvas, gl, restored) : null;
     } catch (_) {
       return null;
@@ -236,7 +236,7 @@ class Gl {
   }
 
   /** @param {GlPaint} paint */
-  #set({ blend, over, flat, both, offset }) {
+  #set({ blend, over, flat, both, offset, mask }) {
     const { gl } = this;
     /** @param {number} what @param {unknown} on */
     const able = (what, on) => (on ? gl.enable(what) : gl.disable(what));
@@ -246,6 +246,11 @@ class Gl {
     able(gl.POLYGON_OFFSET_FILL, offset);
     gl.depthMask(!flat && !over);
     if (offset) gl.polygonOffset(...offset);
+    able(gl.STENCIL_TEST, mask);
+    gl.colorMask(mask !== "is", mask !== "is", mask !== "is", mask !== "is");
+    if (!mask) return;
+    gl.stencilFunc(mask === "is" ? gl.ALWAYS : gl.NOTEQUAL, 1, 1);
+    gl.stencilOp(gl.KEEP, gl.KEEP, mask === "is" ? gl.REPLACE : gl.KEEP);
   }
 
   /**
@@ -261,8 +266,9 @@ class Gl {
     }
     gl.viewport(0, 0, this.canvas.width, this.canvas.height);
     gl.depthMask(true);
+    gl.colorMask(true, true, true, true);
     gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT | gl.STENCIL_BUFFER_BIT);
     gl.depthFunc(gl.LEQUAL);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     for (const { mesh, paint, visible } of this.things) if (visible) this.#one(mesh, paint, camera);

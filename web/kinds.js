@@ -18,7 +18,8 @@ const Shaders = (() => {
 
   const turned = "vec3 n = vec3(dot(row0.xyz, normal), dot(row1.xyz, normal), dot(row2.xyz, normal));";
 
-  // How much of a place is in shadow, of what is straight above it and near: the place has a plane with a normal.
+  // How much of a place is in shadow, of what is straight above it and near: the place has a plane with a normal. Six looks
+  // at the rim show that most places are all in the light or all in the dark.
   const shaded = `
     uniform highp sampler2DShadow shades; uniform mat4 shade; uniform vec3 up; uniform vec4 span; uniform float soft;
     float shaded(vec3 at, vec3 n) {
@@ -28,12 +29,16 @@ const Shaders = (() => {
       // Where the plane goes on, it has no shadow of its own.
       vec2 slope = (mat3(shade) * n).xy * span.x / rise;
       float lit = 0.0, near = 0.002 * span.x * (1.0 + length(slope));
-      for (int i = 0; i < 6; i++) {
-        float r = soft * sqrt((float(i) + 0.5) / 6.0), turn = 2.39996 * float(i);
-        vec2 d = r * vec2(cos(turn), sin(turn));
+      vec2 d = vec2(soft, 0.0);
+      for (int i = 0; i < 6; i++, d = mat2(0.5, 0.866, -0.866, 0.5) * d)
         lit += texture(shades, vec3(seen.xy + 0.5 * d / span.x, seen.z + 0.5 * (dot(slope, d) - near) / span.y));
+      if (lit == 0.0 || lit == 6.0) return min(1.0, 1.6 * rise) * (1.0 - lit / 6.0);
+      for (int i = 0; i < 14; i++) {
+        d = mat2(-0.7374, 0.6755, -0.6755, -0.7374) * d;
+        vec2 at = sqrt((float(i) + 0.5) / 14.0) * 0.9 * d;
+        lit += texture(shades, vec3(seen.xy + 0.5 * at / span.x, seen.z + 0.5 * (dot(slope, at) - near) / span.y));
       }
-      return min(1.0, 1.6 * rise) * (1.0 - lit / 6.0);
+      return min(1.0, 1.6 * rise) * (1.0 - lit / 20.0);
     }`;
 
   const face = {
@@ -83,11 +88,11 @@ const Shaders = (() => {
   };
 
   const line = {
-    // Lines of so many pixels. What is behind the camera is cut off first.
+    // Lines of so many pixels, and some more for a smooth border. What is behind the camera is cut off first.
     vertex: `
     ${rows} in vec3 other; in float side; in vec4 color;
     uniform vec2 size; uniform float width; uniform float near; uniform float pull; uniform float fade;
-    out vec4 vColor;
+    out vec4 vColor; out float vAcross;
     vec4 place(vec3 q) {
       vec4 p = vec4(q, 1.0);
       return camera * vec4(dot(row0, p), dot(row1, p), dot(row2, p), 1.0);
@@ -100,14 +105,20 @@ const Shaders = (() => {
       // The edges of what is small in the picture would hide it.
       float seen = fade > 0.5 ? smoothstep(1.0, 12.0, 0.5 * length(d)) : 1.0;
       d = length(d) > 0.0 ? normalize(d) : vec2(0.0);
-      a.xy += (side * vec2(-d.y, d.x) - 0.5 * d) * width * a.w / size;
+      a.xy += (side * (width + 1.5) * vec2(-d.y, d.x) - 0.5 * width * d) * a.w / size;
+      // At the other end of a ribbon its sides have changed places.
+      vAcross = ((gl_VertexID & 2) == 0 ? 0.5 : -0.5) * side * (width + 1.5);
       a.z -= pull * a.w;
       vColor = vec4(mix(tint.rgb, color.rgb, color.a), seen * (1.0 - tint.a));
       gl_Position = a;
     }`,
     fragment: `
-    uniform vec3 ink; uniform float opacity; uniform float own; in vec4 vColor; out vec4 color;
-    void main() { color = vec4(mix(ink, vColor.rgb, own), opacity * vColor.a); }`,
+    uniform vec3 ink; uniform float opacity; uniform float own; uniform float width;
+    in vec4 vColor; in float vAcross; out vec4 color;
+    void main() {
+      float seen = clamp((0.5 * width - abs(vAcross)) / fwidth(vAcross) + 0.5, 0.0, 1.0);
+      color = vec4(mix(ink, vColor.rgb, own), opacity * seen * vColor.a);
+    }`,
   };
 
   return { face, depth, line, shaded };
@@ -141,10 +152,11 @@ class Kind {
 
   /**
    * @typedef {{ stripes?: boolean, flat?: boolean, line?: number, lineOpacity?: number, own?: boolean, ghost?: number,
-   *   casts?: boolean, pull?: number, order?: number, other?: number[], heart?: { value: number[] } }} KindStyle
+   *   casts?: boolean, pull?: number, order?: number, other?: number[], heart?: { value: number[] }, seam?: boolean }} KindStyle
    *   stripes: of the colour `other`; flat: without shades; line: width in pixels; own: lines of the colour that is
    *   pushed; ghost: how much is seen of lines and faces through what is in front of them; casts: it has a shadow; heart:
-   *   it is a wall, of which faces between the eye and this place are cut away (last 1: of the body, 0: of the world).
+   *   it is a wall, of which faces between the eye and this place are cut away (last 1: of the body, 0: of the world); seam: its
+   *   lines are drawn where no faces of such kinds are seen, and the faces are not drawn.
    * @param {{ faces?: { positions: number[], normals: number[], patterns: number[] }, lines?: number[] }} shape
    * @param {KindStyle} style
    */
@@ -183,7 +195,7 @@ class Kind {
       offset: [1 - pull, 1 - pull], both: wall,
       ...more,
     });
-    this.#add(mesh, paint(1), order, style.casts);
+    this.#add(mesh, paint(1, style.seam ? { mask: "is", flat: true, offset: [1, 1] } : {}), style.seam ? Kind.last : order, style.casts);
     if (style.ghost) this.#add(mesh, paint(style.ghost, { blend: true, over: true }), Kind.last + order);
   }
 
@@ -192,7 +204,8 @@ class Kind {
     const style = this.style, opacity = style.lineOpacity ?? 1, pull = 4e-5 * (1 + (style.pull || 0));
     const mesh = new Mesh([ribbons.store, this.rows, this.tints], ribbons.index);
     const paint = { width: style.line ?? 1.25, own: style.own, ink: this.ink };
-    this.#add(mesh, Kind.line({ ...paint, opacity, fade: style.own !== true, pull }), order);
+    const drawn = Kind.line({ ...paint, opacity, fade: style.own !== true, pull });
+    this.#add(mesh, style.seam ? { ...drawn, mask: "around" } : drawn, order);
     if (style.ghost)
       this.#add(mesh, { ...Kind.line({ ...paint, opacity: style.ghost }), over: true }, Kind.last + order);
   }

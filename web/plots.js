@@ -23,7 +23,7 @@ const Plots = (() => {
 
   /**
    * @typedef {{plot: number, value: HTMLElement, picture: SVGElement, cursor: SVGElement, dot: SVGElement,
-   *            y: (value: number) => number}} Drawn
+   *            y: (value: number) => number, words: HTMLElement | null}} Drawn
    */
 
   /** @param {Player} of */
@@ -253,11 +253,13 @@ const Plots = (() => {
       ...chosen.map((plot) => {
         if (Formulas.kind(plot) === "temporal") return judged(plot);
         const value = Dom.make("span", { class: "plot-value", test: `plot-value-${plot}` });
-        const { picture, y } = chart(plot, width);
+        const { picture, y, empty } = chart(plot, width);
         const cursor = Dom.draw("line", { class: "plot-cursor", y1: 0, y2: height });
         const dot = Dom.draw("circle", { class: "plot-dot", r: 3.5 });
         picture.append(cursor, dot);
-        drawn.push({ plot, value, picture, cursor, dot, y });
+        // Without any value there is nothing to draw: why there is none is told whole.
+        const words = empty ? Dom.make("p", { class: "quiet plot-words", test: `plot-why-${plot}` }) : null;
+        drawn.push({ plot, value, picture, cursor, dot, y, words });
         picture.addEventListener("pointerdown", (event) => seek(/** @type {PointerEvent} */ (event), picture));
         picture.addEventListener("pointermove", (event) => {
           if (/** @type {PointerEvent} */ (event).buttons === 1)
@@ -265,7 +267,7 @@ const Plots = (() => {
         });
         return Dom.make("figure", { class: "plot", test: `plot-${plot}` }, [
           Dom.make("figcaption", {}, [name(plot), value, remove(plot)]),
-          /** @type {any} */ (picture),
+          words || /** @type {any} */ (picture),
         ]);
       }),
       pair(),
@@ -347,6 +349,8 @@ const Plots = (() => {
     }
     const marks = truth ? [0, 1].map((value) => /** @type {[number, string]} */ ([value, said(truth, value)]))
       : Timeline.labels(Timeline.steps(low, high, 3), 4);
+    /** @type {SVGElement[]} */
+    const ticks = [];
     for (const [value, text] of marks) {
       picture.append(
         Dom.draw("line", {
@@ -357,16 +361,10 @@ const Plots = (() => {
           y2: y(value),
           stroke: "#8884",
         }),
-        Dom.draw("text", {
-          class: "plot-tick",
-          x: Timeline.margin + 3,
-          y: y(value) - 3,
-          text,
-          "font-size": 10,
-          "font-family": "sans-serif",
-          fill: "#777",
-        }),
       );
+      ticks.push(Dom.draw("text", {
+        class: "plot-tick", x: Timeline.margin + 3, y: y(value) - 3, text, "font-size": 10, "font-family": "sans-serif", fill: "#777",
+      }));
     }
     // Those of a second run are below.
     const beside = others.map((stroke) =>
@@ -393,7 +391,9 @@ const Plots = (() => {
       picture.append(Dom.draw("path", { class: "plot-line", d: path, "stroke-width": 1.6, ...pen }));
     if (dots !== "")
       picture.append(Dom.draw("path", { class: "plot-line", d: dots, "stroke-width": 5, ...pen }));
-    return { picture, y };
+    // Words are over all lines.
+    picture.append(...ticks);
+    return { picture, y, empty: strokes.length === 0 && others.length === 0 };
   }
 
   /** @param {boolean} truth @param {number} value */
@@ -411,16 +411,18 @@ const Plots = (() => {
     // What is about all of very many bodies takes a good part of a frame: while the run is played, it is told now and then.
     const many = player.playing && player.course.leaves.length > 200, now = performance.now(), rest = many && now - last < 250;
     if (!rest) last = now;
-    for (const { plot, value, cursor, dot, y } of drawn) {
+    for (const { plot, value, cursor, dot, y, words } of drawn) {
       cursor.setAttribute("transform", `translate(${at} 0)`);
       cursor.setAttribute("visibility", inside ? "visible" : "hidden");
       if (rest && plot >= player.data.plots.length) continue;
       const now = Values.exact(player, player.legs, plot, player.time);
       dot.setAttribute("visibility", inside && typeof now !== "string" ? "visible" : "hidden");
       if (typeof now === "string") {
-        Dom.tell(value, Dom.clip(now, 80));
+        if (words) Dom.tell(words, now);
+        else Dom.tell(value, Dom.clip(now, 80));
         continue;
       }
+      if (words) Dom.tell(words, "");
       const near = Rational.toNumber(now);
       if (Number.isFinite(near)) dot.setAttribute("transform", `translate(${at} ${y(near).toFixed(2)})`);
       const exact = Exactly.text(now);

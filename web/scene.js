@@ -44,6 +44,11 @@ class Scene {
     this.course = null;
     /** @type {ReturnType<typeof Walls.find>} */
     this.walls = new Map();
+    /**
+     * Of these, those that are not around others by themselves; where others move in the run; and from where both are told.
+     * @type {{ boxes: Box[], places: number[][], base: bigint[], sight: string }}
+     */
+    this.slabs = { boxes: [], places: [], base: [0n, 0n, 0n], sight: "" };
     /** @type {{ course: Course, legs: number, time: Rational } | null} */
     this.now = null;
     /**
@@ -127,6 +132,22 @@ class Scene {
     this.heart = low.map((l, i) => based((l + high[i]) / 2, i));
     this.walls = walls;
     this.course = course;
+    const every = Math.ceil(moving.length / 100);
+    this.slabs = {
+      boxes: here.filter((b) => walls.get(b.leaf) === null), places: moving.filter((_, i) => i % every === 0).map(Walls.middle), base, sight: "",
+    };
+  }
+
+  /** Cuts away what would hide something that moves in the run. */
+  #cut() {
+    const { orbit, slabs: { boxes, places, base, sight } } = this;
+    const now = JSON.stringify([orbit.direction, orbit.distance, orbit.parallel, orbit.at.map(Rational.text)]);
+    if (boxes.length === 0 || now === sight) return;
+    this.slabs.sight = now;
+    const { direction, distance, parallel } = orbit;
+    const target = orbit.at.map((x, i) => Rational.toNumber(Rational.sub(x, { n: base[i], d: 1n })));
+    const eye = target.map((x, i) => x + direction[i] * distance), far = direction.map((x) => 1e3 * distance * x);
+    this.bodies.setCut(Walls.hiding(this.bodies, boxes, places, (at) => (parallel ? far : eye.map((x, i) => x - at[i]))));
   }
 
   /**
@@ -207,6 +228,7 @@ class Scene {
     this.#goAlong(now.course, present);
     const marking = this.marked;
     bodies.mark(marking);
+    this.#cut();
     bodies.update(now.course, present, orbit.target);
     orbit.place(width, height, this.#extent());
     this.marks.place(now);

@@ -205,13 +205,14 @@ def main():
         sys.exit(3)
     import frailties
     import pages
+    import pictured
     import scenes
     import simulated
     import walk
     told(models, scc, int(sys.argv[3]) if len(sys.argv) > 3 else 1)
     b = browser.Browser()
     try:
-        for part in pages.PARTS + scenes.PARTS + frailties.PARTS + simulated.PARTS + walk.PARTS:
+        for part in pages.PARTS + scenes.PARTS + pictured.PARTS + frailties.PARTS + simulated.PARTS + walk.PARTS:
             told(part, b, scc)
     finally:
         b.quit()

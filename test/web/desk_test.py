@@ -182,8 +182,9 @@ def offering(b):
     names = b.js(listed)
     b.keys(Keys.ARROW_DOWN, Keys.TAB)
     check('arrows choose', b.text_of().endswith('[' + names[1]), b.text_of()[-40:])
+    b.keys(*[Keys.BACKSPACE] * len(names[1]))
     b.chord([Keys.CONTROL], ' ')
-    b.wait(shown)
+    check('they are listed again', b.wait(shown))
     b.keys(Keys.ESCAPE)
     same('Escape ends it', b.js(listed), [])
     b.keys('\n')
@@ -472,7 +473,14 @@ def by_keys(b):
 
 
 def sizes(b):
-    """Narrow pages show one side at a time."""
+    """Why, choices and events are seen without scrolling. Narrow pages show one side at a time."""
+    panels = """
+      const { contentDocument: inner, clientHeight: high, clientWidth: wide } = document.querySelector("iframe");
+      return ["stage", "tabs-panel", "choices-panel", "events"].map((id) => inner.getElementById(id).getBoundingClientRect())
+        .map(({ left, right, top, bottom }) => [left >= 0 && right <= wide, Math.min(bottom, high) - Math.max(0, top)]);"""
+    seen = b.js(panels)
+    check('in view at once: the scene, why, choices, events', all(within and high >= least for (within, high), least in
+                                                                  zip(seen, [240, 150, 40, 150])), seen)
     b.size(420, 800)
     for side, seen, hidden in [('text', 'text-side', 'view-side'), ('view', 'view-side', 'text-side')]:
         b.find(f'to-{side}').click()

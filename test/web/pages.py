@@ -11,6 +11,7 @@ from urllib.parse import unquote
 import browser
 from browser import Keys
 from browser_test import bodies_of_page, bodies_of_trace, check, same
+from scenes import written
 
 HEXOKINASE = 'specs/models/hexokinase.sc'
 
@@ -671,6 +672,8 @@ def links(b, scc):
         b.find('plot-input').send_keys(text, Keys.ENTER)
     b.find('plots-choose').click()
     b.js('[...document.querySelectorAll(".plot-menu input")][0].click()')
+    # The scene is seen anew beside the graph.
+    b.js('return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 100))))')
     link = b.js('return scc.link()')
     sight = """return [["names", "trails", "grid", "marks", "graph-switch", "graph-labels", "graph-fold", "plots-phase"].map((name) =>
         document.querySelector(`[data-testid="${name}"]`).getAttribute("aria-pressed")),
@@ -760,6 +763,13 @@ def upright(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+SLAB = """import <solids>
+fixed slab = solids.Plank(8, 8, 1)
+process p = solids.Cube(1) mass 1 velocity (0, 1/10, 0) at translate (0, 12, 0) [nil]
+check there : always y(p) >= 0
+"""
+
+
 def walls(b, scc):
     """Of a room the near walls are cut away: what is in it is seen as any other body, and so is the far wall."""
     b.open(scc.view('specs/models/crowds/pore.sc', '-D', 'n=4', '--graph', '4', '--seconds', '5'))
@@ -776,6 +786,19 @@ def walls(b, scc):
         same(f'are opaque, in {model}', {s['color'][3] for s in seen.values()}, {255})
         middle = b.js('return [...Array(9).keys()].map((i) => scc.sight([i - 4, 0, 0])).filter((s) => s.name === arguments[0])', room)
         check(f'the {room} itself is picked where nothing else is, in {model}', middle)
+    # A room of six walls: those before the bodies are cut away.
+    b.open(scc.view('specs/models/billiard.sc', '--graph', '4', '--seconds', '5'))
+    for up in 'xyz':
+        seen = b.js('return Object.entries(scc.floats()).filter(([name]) => name.length === 1).map(([name, at]) => [name, scc.sight(at).name])')
+        same(f'bodies within walls, {up}', seen, [['p', 'p'], ['q', 'q']])
+        b.find('up').click()
+    # A large body that hides nothing is whole, and else it is cut.
+    b.open(scc.view(written(scc, SLAB)))
+    near = 'return [3.5, 2, 0].map((y) => scc.sight([0, y, 0.5])).filter((s) => s.name === "slab").length'
+    check('a wall that hides nothing is whole', b.js(near) > 0, b.js('return scc.sight([0, 3.5, 0.5])'))
+    same('and what is beside it is seen', b.js('return scc.sight([0, 12, 0]).name'), 'p')
+    b.open(scc.view(written(scc, SLAB.replace('(0, 12, 0)', '(0, 0, -4)'))))
+    same('one that hides something is cut', b.js('return scc.sight([0, 0, -4]).name'), 'p')
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -794,7 +817,9 @@ def framed(b, scc):
     def check_all(what):
         all_, width, below = b.js(spots)
         check(f'{what}: all bodies are within the picture', all(90 < x < width and 0 < y < below for x, y in all_), (all_, width, below))
-        check(f'{what}: they take a good part of it', max(x for x, _ in all_) - min(x for x, _ in all_) > 0.3 * width, all_)
+        # Of their middles; a scene that is much wider than high has free sides.
+        wide, part = max(x for x, _ in all_) - min(x for x, _ in all_), 0.3 * min(width, 2 * below)
+        check(f'{what}: they take a good part of it', wide > part, (wide, part, all_))
 
     def sized(*size):
         b.size(*size)
@@ -1016,6 +1041,10 @@ def large(b, scc):
     same('its value', b.js('return scc.plots()[scc.plots().length - 1].value'), '3')
     rows = b.js('return [...document.querySelectorAll(".plot .plot-line")].pop().getAttribute("d")')
     check('along the whole run', len(set(re.findall(r'[ML][0-9.]+ ([0-9.]+)', rows))) == 1 and len(rows) > 1000, rows[:200])
+    # A number that was not computed tells what one can do instead, whole.
+    b.open(scc.view('specs/models/gas.sc', '-D', 'n=6', '--graph', '2', '--seconds', '5'))
+    why = b.js('return document.querySelector("[data-testid^=plot-why-]").textContent')
+    check('what is not computed says what to choose', why.endswith('choose a number of some bodies'), why)
     same('the console is told nothing', b.complaints(), [])
 
 

@@ -2,7 +2,9 @@
 import base64
 import os
 import shlex
+import shutil
 import struct
+import subprocess
 from fractions import Fraction
 
 from browser import Keys, Select
@@ -74,6 +76,29 @@ def marks(b, scc):
          [('enzyme', 'split'), ('glucose', 'split')])
     b.js('scc.go(4)')
     same('of a bond that is made', [one.split()[-1] for one in b.js('return scc.marks().ends')], ['made', 'made'])
+    for model in ['brownian', 'glycolysis']:
+        b.open(scc.view(f'specs/models/{model}.sc', '--graph', '4', '--seconds', '5'))
+        check(f'seams are whole within the room of {model}', b.js(SEEN, LIT) > 1000, b.js(SEEN, LIT))
+    same('the console is told nothing', b.complaints(), [])
+
+
+SHADED = """import <solids>
+fixed slab = solids.Plank(6, 1/2, 6)
+process p = solids.Cube(2) mass 1 at translate (0, 2, 0) [nil]
+"""
+
+
+def shadows(b, scc):
+    """Shadows are straight below what has them, and soft."""
+    b.prefer(color_scheme='light')
+    b.open(scc.view(written(scc, SHADED)))
+    seen = b.js("""return [...Array(60).keys()].map((i) => scc.sight([0.3 + i / 30, 0.25, 0.9])).map(({ name, color }) => [name, color[1]])""")
+    same('what is looked at', {name for name, _ in seen}, {'slab'})
+    lights = [light for _, light in seen]
+    check('it is dark below the body, and light beside it', lights[-1] - lights[0] > 25, lights)
+    check('from dark to light by small steps', max(abs(y - x) for x, y in zip(lights, lights[1:])) <= 12, lights)
+    among = [light for light in lights if lights[0] + 2 < light < lights[-1] - 2]
+    check('of which there are many', len(set(among)) >= 6, among)
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -257,7 +282,7 @@ def size_of(png):
     return struct.unpack('>II', chunks(png)['IHDR'][:8])
 
 
-#: Pixels of pictures, of which a mask says what is there: where it is opaque, or not white. How many both have, and how many
+#: Pixels of pictures, of which a mask says what is there: where it is opaque, or not white, as glass is. How many both have, and how many
 #: one of them has alone.
 MASKS = '''
 const [one, two, width, height, done] = arguments;
@@ -274,7 +299,7 @@ async function mask(address, there) {
   return all;
 }
 (async () => {
-  const a = await mask(one, (r, g, b, alpha) => alpha > 127), b = await mask(two, (r, g, b) => r + g + b < 744);
+  const a = await mask(one, (r, g, b, alpha) => alpha > 127), b = await mask(two, (r, g, b) => r + g + b < 762);
   // Pixels of one of them that are more than two pixels away from the other one: lines differ in their widths.
   const away = (one, two) => one.filter((x, i) => {
     if (!x) return false;
@@ -321,6 +346,11 @@ SIGHTS = [
     ('specs/models/latch.sc', 'document.getElementById("tool-projection").click()'),
     ('specs/models/capsid.sc', 'document.getElementById("tool-up").click()'),
     ('specs/models/gears.sc', 'document.getElementById("tool-up").click(); document.getElementById("tool-up").click()'),
+    ('specs/models/brownian.sc', ''),
+    ('specs/models/glycolysis.sc', 'document.getElementById("tool-projection").click()'),
+    ('specs/models/exclusion.sc', ''),
+    ('specs/models/billiard.sc', 'document.getElementById("tool-up").click()'),
+    ('specs/models/ligand.sc', ''),
 ]
 
 
@@ -451,6 +481,13 @@ def films(b, scc):
     same('the same each time', saved(b, **wishes) == film, True)
     same('afterwards the page is where it was', b.state(), where)
     wide, high = b.js('return [scene.clientWidth, scene.clientHeight]')
+    if shutil.which('ffprobe'):
+        path = scc.file('.webm')
+        with open(path, 'wb') as f:
+            f.write(film)
+        told = subprocess.run(['ffprobe', '-v', 'error', '-count_frames', '-show_entries', 'stream=nb_read_frames:format=duration',
+                               '-of', 'csv=p=0', path], capture_output=True, text=True).stdout.split()
+        check('ffprobe counts its frames', told and told[0] == '25' and abs(float(told[1]) - 2.5) < 0.05, told)
     blank(b, scc, f'<video muted src="{address("video/webm", film)}"></video>')
     seen = b.wait('const film = document.querySelector("video"); return film.error ? [film.error.message] : '
                   'film.readyState > 1 && [film.duration, film.videoWidth, film.videoHeight]')
@@ -480,4 +517,4 @@ def dialog(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
-PARTS = [marks, gone, compared, beyond, silhouettes, by_schedule, pictures, readme, films, dialog]
+PARTS = [marks, shadows, gone, compared, beyond, silhouettes, by_schedule, pictures, readme, films, dialog]

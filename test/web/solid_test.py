@@ -114,6 +114,12 @@ def main(scc, work):
         check('it is there to be pointed at', any((f or {}).get('face') is not None for f in found), found)
         width = max(v['x'] for v in spots['vertices']) - min(v['x'] for v in spots['vertices'])
         check('as large as any other', width > 200, width)
+        b.size(400, 700)
+        b.open(html)
+        panels = b.js("""return [...document.querySelectorAll(".panel")].filter((panel) => !panel.hidden).map((panel) =>
+          [panel.querySelector(".tab").clientHeight, panel.getBoundingClientRect().right])""")
+        check('in a narrow window each panel has room', all(high >= 24 and right <= 400 for high, right in panels), panels)
+        check('and one scrolls to them', b.js('return document.scrollingElement.scrollHeight') > 900)
         same('words on the console', b.complaints(), [])
     finally:
         b.quit()

@@ -52,7 +52,7 @@ let none why = Curve_json.Whole (None_as why)
 let value t all extent num =
   let value state = Curves.value (States.semantics t.world) state extent num in
   match scope t num with
-  | Unknown -> none "it takes all bodies of a large network, and is not computed: choose a number of some"
+  | Unknown -> none "it takes all bodies of a large network, and is not computed: choose a number of some bodies"
   | Of leaves ->
     (* Of a body that is gone, the number says so itself. *)
     let add kept p = if List.exists (fun q -> first q = first p) kept then kept else p :: kept in
