@@ -94,14 +94,9 @@ let write t console model ~path ~name ~report ~asked ~first ~summary ~interrupte
     if not whole then Console.note console told;
     Ok whole
 
-(* However the folder is written. *)
-let place path =
-  match Unix.realpath (Filename.dirname path) with
-  | folder -> Filename.concat folder (Filename.basename path)
-  | exception Unix.Unix_error _ -> path
-
-let conflict ~times ~observables ~others ~path =
-  if times * observables > Spread.most_cells then
+let too_large ~times ~observables =
+  if times * observables <= Spread.most_cells then None
+  else
     Some
       (Printf.sprintf
          "a page of --view has room for %d values of a run, and these are %d (%s at %d times): take a greater \
@@ -109,9 +104,3 @@ let conflict ~times ~observables ~others ~path =
          Spread.most_cells (times * observables)
          (Scc_base.Plural.count observables "observable" "observables")
          times)
-  else
-    let same (name, other) =
-      let is_same = Option.equal String.equal (Option.map place other) (Some (place path)) in
-      if is_same then Some (Printf.sprintf "--view and %s name the same file" name) else None
-    in
-    List.find_map same others

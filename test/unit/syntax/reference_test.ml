@@ -42,7 +42,8 @@ let words () =
 let names_of_faces () =
   let reads word =
     let text =
-      Printf.sprintf "shape S { vertices v (0, 0, 0) faces %s [v, v, v] f [v, v, v] }\nbehaviour B on S = <a, {%s}>. nil\n"
+      Printf.sprintf
+        "shape S { vertices v (0, 0, 0) faces %s [v, v, v] f [v, v, v] }\nbehaviour B on S = <a, {%s}>. nil\n"
         word word
     in
     Result.is_ok (Parse.parse (Scc_base.Source.make ~name:"t.sc" text))
@@ -91,7 +92,11 @@ let suite =
   ("language reference",
    [
      ("examples", examples);
-     ("words", [ Alcotest.test_case "the list of words" `Quick words; Alcotest.test_case "names of faces" `Quick names_of_faces ]);
+     ( "words",
+       [
+         Alcotest.test_case "the list of words" `Quick words;
+         Alcotest.test_case "names of faces" `Quick names_of_faces;
+       ] );
      ("limits", limits);
      ("precedence", precedence);
    ])
