@@ -11,8 +11,8 @@ val none : t
 
 val file : ?over:string option -> string -> string option -> output list
 (** [file option path] is the output that [option] ([-o]) asks for. It is none without a path, and for ["-"]. It
-    may replace the input [over], if that is the same file and their names have the same ending: this is a rewrite in
-    place. *)
+    may replace the input [over], if that is the same file and their names have the same ending: this is a rewrite
+    in place. *)
 
 val folder : string -> string option -> output list
 (** [folder option path] is a folder that [option] asks for, in which the command writes files. *)
