@@ -46,6 +46,7 @@ let spread t (report : Report.t) ~asked ~first ~summary =
     cut = from_first t.cut;
     cells = Array.map (Array.map cell) (Report.cells summary);
     shown = List.rev_map shown t.runs;
+    hurried = false;
   }
 
 (* The numbers among the observables, each once. What has no value as a curve is left to the table. *)
@@ -88,11 +89,12 @@ let write t console model ~path ~name ~report ~asked ~first ~summary ~interrupte
   match Console.with_output console ~path:(Some path) page with
   | Error d -> Error [ d ]
   | Ok () ->
-    let has = List.length document.runs and wanted = List.length spread.shown in
-    let whole = !hurry = None || has = wanted in
-    let told = Printf.sprintf "scc: interrupted: the page shows %d of %d runs" has wanted in
-    if not whole then Console.note console told;
-    Ok whole
+    let hurried = Option.fold ~none:false ~some:(fun (s : Spread.t) -> s.hurried) document.spread in
+    let shown = Scc_base.Plural.count (List.length document.runs) "run" "runs" in
+    if hurried then
+      Console.note console
+        (Printf.sprintf "scc: interrupted: the page shows %s, as many as there was time for" shown);
+    Ok (not hurried)
 
 let too_large ~times ~observables =
   if times * observables <= Spread.most_cells then None
