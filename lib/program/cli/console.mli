@@ -45,7 +45,7 @@ val reads : t -> string -> unit
 (** [reads c path]: the command reads this file. Raises {!Refused} if it is one of its outputs. *)
 
 val lost : t -> exn option
-(** {!Output_failed} or {!Output_closed}, if standard output has failed beside other outputs. *)
+(** [lost c] is {!Output_failed} or {!Output_closed}, if standard output has failed beside other outputs. *)
 
 val print : t -> string -> unit
 (** Writes to standard output. Without other outputs ({!declare}), it raises {!Output_failed} or

@@ -365,10 +365,13 @@ let simulated (l : Loaded.t) ~name s ~cut ~interrupted =
   let rec go made bytes rows = function
     | (run : Spread.shown) :: rest when bytes < most_bytes ->
       if made <> [] && interrupted () then Ok (List.rev made, true)
-      else
-        let* shown = simulated_run making world s run ~cut:(cut run) ~interrupted in
-        let more, rows = bytes_since making rows in
-        go ((run, shown) :: made) (bytes + more) rows rest
+      else begin
+        match simulated_run making world s run ~cut:(cut run) ~interrupted with
+        | Error _ as refused -> refused
+        | Ok shown ->
+          let more, rows = bytes_since making rows in
+          go ((run, shown) :: made) (bytes + more) rows rest
+      end
     | _ -> Ok (List.rev made, false)
   in
   let* made, hurried = go [] 0 (0, 0) s.spread.shown in
