@@ -145,6 +145,7 @@ let format =
       field "shown" (list shown_format) (fun t -> t.shown) ~about:"Each is the run of the document in its place.";
       field "hurried" bool (fun t -> t.hurried)
         ~about:
-          "True if an interruption left no time to show more runs; otherwise there are as many as fit, at most 20.";
+          "True if an interruption left no time to show more runs; otherwise there are as many as fit, at most \
+           20.";
     ]
   |> Rows.named "spread"
