@@ -188,6 +188,8 @@ interface DataSpread {
   cells: DataCell[][];
   /** Each is the run of the data in its place. */
   shown: { run: number; values: (string | null)[][]; ended: string | null }[];
+  /** An interruption left no time to show more. */
+  hurried: boolean;
 }
 
 /** Bar i begins at from + i width; a single one has no other value. */

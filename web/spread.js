@@ -83,11 +83,11 @@ const Spread = (() => {
 
   /** What is counted here, and which runs the page has. */
   function about() {
-    const { asked, made, first, shown } = data;
+    const { asked, made, first, shown, hurried } = data;
     const all = made === asked ? `${count(made, "run")}, from number ${first} on.` : `${count(made, "run")}, from number ${first} on; the command ended before ${count(asked, "run")}.`;
     const numbers = shown.map(({ run }) => run), straight = numbers.every((n, i) => n === numbers[0] + i);
     const which = straight && numbers.length > 2 ? `${numbers[0]} to ${numbers[numbers.length - 1]}` : numbers.join(", ");
-    const fitting = numbers.length < Math.min(20, made) ? ", as many as fit" : "";
+    const fitting = hurried ? ", as many as there was time for after an interruption" : numbers.length < Math.min(20, made) ? ", as many as fit" : "";
     return numbers.length === 0 ? `${all} The page shows none of them.` : `${all} The page shows ${numbers.length} of them${fitting}: ${which}.`;
   }
 

@@ -155,7 +155,7 @@ Values of SVG that are computed elsewhere.
 
   $ svg() { printf '<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 9 9"><rect %s height="4"/></svg>' "$1" > t.svg; scc inflate t.svg 2>&1 | grep 'SC03'; }
   $ svg 'width="4" fill="var(--c)"'
-  t.svg:1:59: error[SC0341]: this is not read: the paint "var(--c)" (colours are names of CSS, #rrggbb, rgb() and hsl())
+  t.svg:1:59: error[SC0341]: this is not read: the paint "var(--c)" (colours are names of CSS, #rrggbb, rgb(), hsl(), hwb(), lab(), lch(), oklab(), oklch(), and color() in srgb, srgb-linear and display-p3)
   $ svg 'width="4" fill="rgb(var(--c))"'
   t.svg:1:59: error[SC0341]: this is not read: the function var() in "var(--c)": write its value
   $ svg 'width="calc(4px)"'

@@ -266,6 +266,10 @@ What cannot be inflated.
   nothing.png: error[SC0101]: cannot read: No such file or directory
   [3]
   $ scc inflate ring.pbm -o missing/ring.obj
+  ring.pbm: 7 x 5 pixels, of which the shape has 29, with 1 hole
+  inflated: highest 3.285 pixels (diffused, radius 2)
+    no height is farther than 0.001866 pixels from that of the exact solution
+  solid: 88 vertices, 176 faces
   missing/ring.obj: error[SC0103]: cannot write: No such file or directory
   [74]
 

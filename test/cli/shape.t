@@ -527,3 +527,36 @@ So does a limit of memory:
     "diagnostics": []
   }
   [4]
+
+A face of a file whose name is a word of the language gets another one, and what is written can be read:
+
+  $ cat > words.obj <<'EOF'
+  > v 0 0 0
+  > v 1 0 0
+  > v 0 1 0
+  > v 0 0 1
+  > g process
+  > f 1 3 2
+  > g vertices
+  > f 1 2 4
+  > g 3x
+  > f 1 4 3
+  > g mod
+  > f 2 3 4
+  > EOF
+  $ scc shape words.obj -o words.sc > /dev/null && grep '\[' words.sc
+      gprocess [v0, v2, v1]
+      gvertices [v0, v1, v3]
+      g3x [v0, v3, v2]
+      mod [v1, v2, v3]
+  $ cat > named.sc <<'EOF'
+  > shape W = mesh "words.obj"
+  > behaviour B on W = <a, {gprocess}>. nil + <b, {gvertices, mod}>. nil
+  > process p = W mass 1 [B]
+  > check c: possibly offers(p, a)
+  > EOF
+  $ scc check words.sc 2>&1 | tail -n 1; scc check named.sc 2>&1 | grep holds
+  no properties to check
+  c: holds (exhaustive)
+      offers(p, a) holds
+  1 property: 1 holds

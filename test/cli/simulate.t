@@ -235,7 +235,7 @@ A page of runs. What it does not go with is said before any run.
   Usage: scc simulate [OPTION]… MODEL
   1
   $ view -o page.html 2>&1 | head -1
-  scc: --view and -o name the same file
+  scc: -o and --view name the same file
   $ view -o ./page.html 2>&1 | head -1
-  scc: --view and -o name the same file
+  scc: -o and --view name the same file
   $ view --store kept --summary -o summary.csv && cp page.html first.html && view --store kept --format jsonl -o runs.jsonl && cmp page.html first.html

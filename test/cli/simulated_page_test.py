@@ -165,10 +165,11 @@ def interrupted(scc, work):
     with open(model, "w", encoding="utf-8") as file:
         file.write(crowd(5))
     command = subprocess.Popen([scc, "simulate", model, "--observe", "x(p[0])", "--every", "40", "--until", "4000", "--runs", "100000",
-                                "--jobs", "2", "--view", page, "-o", table], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                "--jobs", "2", "--view", page, "-o", table], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
     time.sleep(1.5)
     command.send_signal(signal.SIGINT)
-    check("interrupted: the exit code", command.wait(300), 4)
+    told = command.communicate(timeout=300)[1].decode()
+    check("interrupted: the exit code", command.returncode, 4)
     with open(table, encoding="utf-8", newline="") as file:
         rows = list(csv.reader(file))[1:]
     data = page_data(page)
@@ -177,6 +178,8 @@ def interrupted(scc, work):
     for row in rows:
         runs.setdefault(int(row[0]), []).append(row)
     check("interrupted: runs", (spread["made"], spread["asked"]), (len(runs), 100000))
+    shown = f"the page shows {len(data['runs'])} run{'' if len(data['runs']) == 1 else 's'}, as many as there was time for"
+    check("interrupted: which is told", shown in told, spread["hurried"])
     check("interrupted: cut short", spread["cut"][-1], sum("interrupted" in lines[0][-1] for lines in runs.values()))
     check("interrupted: in order of time", (spread["cut"], spread["over"][-1]), (sorted(spread["cut"]), 0))
     for i, cells in enumerate(spread["cells"]):

@@ -17,28 +17,7 @@
     instead : Parser.token option;
   }
 
-  let words =
-    [
-      ("A", A); ("AF", AF); ("AG", AG); ("AX", AX); ("E", E); ("EF", EF); ("EG", EG); ("EX", EX);
-      ("F", LETTER "F"); ("G", LETTER "G"); ("U", U); ("X", LETTER "X");
-      ("absorb", ABSORB); ("always", ALWAYS); ("and", AND); ("as", AS); ("at", AT); ("behaviour", BEHAVIOUR); ("binding", BINDING); ("blocked", BLOCKED); ("bond", BOND); ("bonds", BONDS);
-      ("check", CHECK); ("choose", CHOOSE); ("collisions", COLLISIONS); ("compound", COMPOUND); ("count", COUNT);
-      ("decompose", DECOMPOSE);
-      ("dynamics", DYNAMICS); ("else", ELSE);
-      ("eps", EPS); ("event", EVENT); ("eventually", EVENTUALLY); ("exists", EXISTS); ("faces", FACES);
-      ("false", FALSE);
-      ("fixed", FIXED); ("for", FOR); ("forall", FORALL); ("glue", GLUE); ("grid", GRID); ("hull", HULL); ("if", IF); ("import", IMPORT); ("in", IN);
-      ("inertial", INERTIAL); ("leads_to", LEADS_TO); ("let", LET); ("local", LOCAL); ("mass", MASS); ("matrix", MATRIX);
-      ("merge", MERGE); ("mesh", MESH);
-      ("mod", MOD); ("model", MODEL); ("motion", MOTION); ("network", NETWORK); ("nil", NIL); ("not", NOT);
-      ("omega", OMEGA); ("on", ON); ("only", ONLY); ("or", OR); ("orient", ORIENT); ("param", PARAM); ("part", PART);
-      ("possibly", POSSIBLY); ("process", PROCESS); ("push", PUSH); ("quaternion", QUATERNION);
-      ("resolution", RESOLUTION); ("rho", RHO); ("rotate", ROTATE); ("round", ROUND); ("scale", SCALE); ("scaled", SCALED); ("shape", SHAPE);
-      ("snap", SNAP); ("spin", SPIN);
-      ("split_step", SPLIT_STEP); ("steady", STEADY); ("then", THEN); ("timestep", TIMESTEP); ("translate", TRANSLATE);
-      ("true", TRUE); ("union", UNION); ("velocity", VELOCITY); ("vertices", VERTICES); ("weight", WEIGHT); ("weld", WELD); ("where", WHERE);
-      ("within", WITHIN);
-    ]
+  let words = Word_tokens.all
 
   module Words = Map.Make (String)
 

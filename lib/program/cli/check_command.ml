@@ -33,6 +33,8 @@ let make_folder path =
 
 let write_file path text = Whole_file.with_file path (fun put -> put text)
 
+let witness_file folder (check : Scc_property.Property.check) = Filename.concat folder (check.name ^ ".json")
+
 (* As many of them as can be written; and what was wrong with the first that cannot. *)
 let write_witnesses loaded path folder verdicts =
   let one ({ check; verdict; _ } : Verdict.outcome) =
@@ -40,7 +42,7 @@ let write_witnesses loaded path folder verdicts =
     | None -> Ok ()
     | Some w ->
       let schedule = Scheduled.of_witness loaded path check w in
-      write_file (Filename.concat folder (check.name ^ ".json")) (Scc_runs.Schedule.to_string schedule)
+      write_file (witness_file folder check) (Scc_runs.Schedule.to_string schedule)
   in
   let* () = make_folder folder in
   let add before v =
@@ -148,6 +150,13 @@ let options console (budget : Budget.t) (extras : Check_extras.t) ~watch ~measur
     expanding = Expanded.expanding expanded; compacting = Expanded.compacting expanded;
   }
 
+(* Each schedule is a file of its own. *)
+let declare_witnesses console (extras : Check_extras.t) (l : Loaded.t) =
+  let file folder (c : Scc_property.Property.check) =
+    Outputs.file "a schedule of --witness" (Some (witness_file folder c))
+  in
+  Option.iter (fun folder -> Console.declare console (List.concat_map (file folder) l.checks)) extras.witness
+
 (* Options that the model does not go with. *)
 let fitting (extras : Check_extras.t) (l : Loaded.t) ~declared ~zones ~where =
   (* Coverage lists states one by one. *)
@@ -200,6 +209,7 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
   let declared = l.checks in
   let chosen l = Chosen_checks.only l extras.checks in
   let* l = chosen l in
+  declare_witnesses console extras l;
   let zones = Verdicts.over_zones l in
   let where = extras.where || Option.is_some extras.smt || Option.is_some extras.draw in
   let* () = fitting extras l ~declared ~zones ~where in
@@ -254,6 +264,14 @@ let check console budget (extras : Check_extras.t) (given : Options.definitions)
 let unfit (extras : Check_extras.t) =
   Option.is_some extras.witness && not (List.exists (Reduction.equal Jump) extras.reductions)
 
+let outputs (extras : Check_extras.t) =
+  List.concat
+    [
+      Outputs.file "--sarif" extras.sarif; Outputs.file "--smt" extras.smt; Outputs.file "--draw" extras.draw;
+      Outputs.file "--curve-plot" extras.plot; Outputs.file "--invariant" extras.invariant;
+      Outputs.folder "--witness" extras.witness; Outputs.store extras.store;
+    ]
+
 let run color progress json budget (extras : Check_extras.t) given path =
   let console = Console.make ?progress ~color ~json () in
   if unfit extras then
@@ -261,7 +279,7 @@ let run color progress json budget (extras : Check_extras.t) given path =
   else match Parametric_option.unfit extras with
     | Some option -> Guard.usage (option ^ " does not go with --parametric")
     | None ->
-      Guard.run console (fun () ->
+      Guard.run ~outputs:(outputs extras) console (fun () ->
           match check console budget extras given path with
           | Ok code -> Ok code
           | Error diagnostics ->

@@ -44,11 +44,13 @@ let exit_code (first : Compared.t) (second : Compared.t) (report : Compare.repor
   | Undecided Unknown_states when resources first || resources second -> Stopped
   | Undecided _ -> Undecided
 
+let graph_file prefix n = Printf.sprintf "%s-%d.aut" prefix n
+
 let write_graphs o first second =
   match o.write with
   | None -> Ok ()
   | Some prefix ->
-    let file n g = (Printf.sprintf "%s-%d.aut" prefix n, Aut.write g) in
+    let file n g = (graph_file prefix n, Aut.write g) in
     Result.listed (Whole_file.write [ file 1 first; file 2 second ])
 
 let compare console o =
@@ -60,12 +62,13 @@ let compare console o =
   in
   let* first = load ~first:true o.first o.left in
   let* second = load ~first:false o.second o.right in
+  let written = ref (Ok ()) in
   let work () =
     let prepared ~first (c : Compared.t) =
       Compare.prepare o.relation (labelled o ~first (Later.force c.graph))
     in
     let one = prepared ~first:true first and two = prepared ~first:false second in
-    let* () = write_graphs o one two in
+    written := write_graphs o one two;
     let effort = Effort.make ~stop:(fun () -> Option.is_some (Watch.stop watch ())) in
     Ok (Compare.run effort o.relation one two)
   in
@@ -73,7 +76,7 @@ let compare console o =
     match (Watch.attempt watch).run Concluding work with Ok found -> found | Error _ -> Ok Compare.given_up
   in
   Watch.finish watch;
-  let code = exit_code first second report in
+  let code = Exit_code.worst [ exit_code first second report; Guard.unwritten console [ !written ] ] in
   let told = { Compare_report.relation = o.relation; first; second; report; exit = code } in
   Console.answer console
     ~text:(fun () -> Compare_report.text console told)
@@ -82,7 +85,9 @@ let compare console o =
 
 let run color json o =
   let console = Console.make ~color ~json () in
-  Guard.run_on_two console o.first o.second (fun () -> compare console o)
+  let graph prefix n = Outputs.file "a file of --write" (Some (graph_file prefix n)) in
+  let outputs = Option.fold ~none:[] ~some:(fun prefix -> graph prefix 1 @ graph prefix 2) o.write in
+  Guard.run_on_two ~outputs console o.first o.second (fun () -> compare console o)
 
 (** {2 The command line} *)
 

@@ -48,7 +48,7 @@ let graph_of_space ?(renamed = Fun.id) (space : Explored.t) =
   Graph.finish b ~size:space.size ~initial:0 ~unknown:(fun s -> not (space.expanded s))
 
 let load_graph console (attempt : Scc_graph_search.Limits.attempt) path =
-  match Input.read ~max_bytes:max_graph_bytes path with
+  match Input.read ~max_bytes:max_graph_bytes console path with
   | Error d -> Error [ d ]
   | Ok source -> (
       match attempt.run Concluding (fun () -> Aut.read ~file:path (Source.text source)) with

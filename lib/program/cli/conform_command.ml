@@ -90,13 +90,13 @@ let conform console o =
     | Error (`Invalid diagnostics) -> Error diagnostics
     | Error (`Fault fault) -> Error [ Scc_semantics.Transition.diagnostic l.model fault ]
   in
-  let* () =
+  let run =
     match (answer, o.run) with
     | Conforms { choices; _ }, Some path -> write_run path l.origin choices
     | _ -> Ok ()
   in
   Watch.finish watch;
-  let code = exit_code answer in
+  let code = Exit_code.worst [ exit_code answer; Guard.unwritten console [ run ] ] in
   let report = { Report.file = o.path; loaded = l; trace; tolerance; answer } in
   Console.answer console
     ~text:(fun () -> Report.text report)
@@ -107,7 +107,7 @@ let conform console o =
 
 let run color json o =
   let console = Console.make ~color ~json () in
-  Guard.run_on_two console o.path o.trace (fun () -> conform console o)
+  Guard.run_on_two ~outputs:(Outputs.file "--run" o.run) console o.path o.trace (fun () -> conform console o)
 
 (* The command line. *)
 

@@ -12,11 +12,15 @@ type t = {
   mutable kept : Diag.t list;  (** newest first *)
   mutable faults : string list;  (** likewise *)
   mutable progressing : bool;
+  mutable outputs : Outputs.t;
+  mutable inputs : string list;  (** the files that have been read *)
+  mutable lost : exn option;  (** why standard output is lost *)
   sink : (phase:bool -> string -> unit) option;  (** what takes the lines of progress, if they go elsewhere *)
 }
 
 exception Output_failed of Diag.t
 exception Output_closed
+exception Refused of string
 
 let is_terminal fd = try Unix.isatty fd with Unix.Unix_error _ -> false
 
@@ -37,6 +41,9 @@ let make ?progress ~color ~json () =
     kept = [];
     faults = [];
     progressing = false;
+    outputs = Outputs.none;
+    inputs = [];
+    lost = None;
     sink = progress;
   }
 
@@ -50,15 +57,31 @@ let output_failed name message =
   Output_failed
     (Diag.error Code.cannot_write (Span.of_file name) "cannot write: %s" message)
 
+let refuse text = raise (Refused text)
+let check c input = Option.iter refuse (Outputs.refusal c.outputs input)
+
+let declare c outputs =
+  c.outputs <- Result.fold ~ok:Fun.id ~error:refuse (Outputs.add c.outputs outputs);
+  List.iter (check c) c.inputs
+
+let reads c path =
+  c.inputs <- path :: c.inputs;
+  check c path
+
+let lost c = c.lost
+
+(* Standard output drops everything after its first failure. *)
+let fail c e = if Outputs.some c.outputs then c.lost <- Some e else raise e
+
 (* A closed pipe is the reader's choice, everything else is a failure. *)
-let to_stdout f =
+let to_stdout c f =
   match f () with
   | () -> ()
-  | exception Standard.Closed -> raise Output_closed
-  | exception Standard.Failed message -> raise (output_failed "standard output" message)
+  | exception Standard.Closed -> fail c Output_closed
+  | exception Standard.Failed message -> fail c (output_failed "standard output" message)
 
-let print _ s = to_stdout (fun () -> Standard.print s)
-let flush _ = to_stdout Standard.flush
+let print c s = to_stdout c (fun () -> Standard.print s)
+let flush c = to_stdout c Standard.flush
 
 type style = Good | Bad | Doubtful | Strong | Faint
 
@@ -149,6 +172,26 @@ let with_output ?(pieces = false) c ~path f =
     let result = f (print c) in
     flush c;
     Ok result
+
+let with_main_output ?pieces c ~path f =
+  let others = match path with Some path -> Outputs.others c.outputs path | None -> false in
+  let made = ref None in
+  let run put =
+    let failed = ref None in
+    let put text =
+      if Option.is_none !failed then
+        match put text with
+        | () -> ()
+        | exception (Whole_file.Failed _ as e) when others -> failed := Some e
+    in
+    made := Some (f put);
+    Option.iter raise !failed
+  in
+  let written = with_output ?pieces c ~path run in
+  (match (written, !made) with
+   | Error _, None when others -> made := Some (f ignore)
+   | _ -> ());
+  (!made, written)
 
 (* Colours are our own. *)
 let switches = switch_off :: List.map switch styles

@@ -17,6 +17,9 @@ exception Output_closed
 val output_failed : string -> string -> exn
 (** [output_failed name reason] is {!Output_failed} for the output with this name. *)
 
+exception Refused of string
+(** Files of a command that do not go together: the sentence says so. *)
+
 val make : ?progress:(phase:bool -> string -> unit) -> color:color -> json:bool -> unit -> t
 (** A console. With [json], diagnostics are kept for the JSON report instead of being shown. [progress] receives
     the lines of {!progress} instead of the terminal. *)
@@ -33,8 +36,20 @@ val add_source : t -> Source.t -> unit
 val source : t -> string -> Source.t option
 (** The text with this name, if it has been added. *)
 
+val declare : t -> Outputs.output list -> unit
+(** [declare c outputs]: the command writes these files, too. From now on, standard output that fails ends nothing:
+    the failure is kept ({!lost}), so that the files are written all the same. Raises {!Refused} if two outputs are
+    one file ({!Outputs.add}), or one of them has been read. *)
+
+val reads : t -> string -> unit
+(** [reads c path]: the command reads this file. Raises {!Refused} if it is one of its outputs. *)
+
+val lost : t -> exn option
+(** [lost c] is {!Output_failed} or {!Output_closed}, if standard output has failed beside other outputs. *)
+
 val print : t -> string -> unit
-(** Writes to standard output. Raises {!Output_failed} or {!Output_closed}. *)
+(** Writes to standard output. Without other outputs ({!declare}), it raises {!Output_failed} or
+    {!Output_closed}. *)
 
 val tell : t -> string -> unit
 (** A text for people to standard output, as {!Visible.text} shows it, but for {!styled}. *)
@@ -92,6 +107,11 @@ val with_output : ?pieces:bool -> t -> path:string option -> ((string -> unit) -
     and if it is ["-"], the function writes to standard output, and raises {!Output_failed} or {!Output_closed}.
     With [pieces], the complete pieces of a file are kept if it cannot be written to its end
     ({!Whole_file.with_pieces}). *)
+
+val with_main_output :
+  ?pieces:bool -> t -> path:string option -> ((string -> unit) -> 'a) -> 'a option * (unit, Diag.t) result
+(** [with_main_output c ~path f] is {!with_output} for a result that other outputs depend on. If there are any
+    ({!declare}), [f] is run to its end whatever becomes of its own output, and its result is there. *)
 
 val flush : t -> unit
 (** Flushes standard output. Raises {!Output_failed} or {!Output_closed}. *)

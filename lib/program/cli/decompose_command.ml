@@ -146,8 +146,9 @@ let decompose console ~mend ~names ~union ~most ~bounds ~mass output path =
 
 let run color json mend names union most bounds mass output path =
   let console = Console.make ~color ~json () in
+  let outputs = Outputs.file ~over:(Some path) "-o" output in
   let go output =
-    Guard.run console (fun () -> decompose console ~mend ~names ~union ~most ~bounds ~mass output path)
+    Guard.run ~outputs console (fun () -> decompose console ~mend ~names ~union ~most ~bounds ~mass output path)
   in
   match output with
   | None -> go None

@@ -266,7 +266,7 @@ let estimate console o room =
 let run color progress json o =
   let console = Console.make ?progress ~color ~json () in
   let room = Memory_of_runs.start ?seconds:o.seconds ~memory:o.memory ~jobs:o.jobs () in
-  Guard.run console (fun () -> estimate console o room)
+  Guard.run ~outputs:(Outputs.store o.store) console (fun () -> estimate console o room)
 
 (* {1 The command line} *)
 

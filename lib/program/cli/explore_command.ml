@@ -50,9 +50,11 @@ let labelling ~instants (e : Exported.t) =
   Labelling.make ~instants e.space
     (Array.of_list (State_predicates.of_checks (Explored.model e.space) e.loaded.checks))
 
+let base o = if Filename.check_suffix o.output ".tra" then Filename.chop_suffix o.output ".tra" else o.output
+
 (* The files, each with what writes it, and what there is to say about them. *)
 let files o format (e : Exported.t) =
-  let base = if Filename.check_suffix o.output ".tra" then Filename.chop_suffix o.output ".tra" else o.output in
+  let base = base o in
   let hidden text = List.exists (fun p -> Hide.matches p text) o.hidden in
   let one write = [ (o.output, write) ] in
   match format with
@@ -160,9 +162,16 @@ let broken_off console o why =
   let kept = if String.equal o.output "-" then "the graph is not whole" else "nothing was written" in
   Guard.stopped console (Printf.sprintf "%s; %s (what --seconds or --states end is written to its end)" why kept)
 
+let outputs o =
+  match format_of o with
+  | Ok Tra ->
+    let one ending = Outputs.file ("a file of -o (" ^ ending ^ ")") (Some (base o ^ ending)) in
+    List.concat_map one [ ".tra"; ".lab"; ".sta"; ".names.json"; ".clab" ]
+  | Ok (Aut | Dot | Json | Drn) | Error _ -> Outputs.file "-o" (Some o.output)
+
 let run color o =
   let console = Console.make ~color ~json:false () in
-  Guard.run console (fun () ->
+  Guard.run ~outputs:(outputs o) console (fun () ->
       match format_of o with
       | Error message -> Ok (Guard.usage message)
       | Ok format -> (

@@ -146,7 +146,7 @@ let export console o =
 let run color o =
   let console = Console.make ~color ~json:false () in
   Memory.spare_runs ();
-  Guard.run console (fun () -> export console o)
+  Guard.run ~outputs:(Outputs.file "-o" o.output) console (fun () -> export console o)
 
 (* {1 The command line} *)
 

@@ -16,12 +16,23 @@ let ended ?stopped console code =
 let is_of_output (d : Diag.t) = String.equal (d.code :> string) (Code.cannot_write :> string)
 let is_of_command_line (d : Diag.t) = Span.equal d.span Span.command_line
 
+let code_of diagnostics =
+  if List.for_all is_of_output diagnostics then Exit_code.Unwritten
+  else if List.for_all is_of_command_line diagnostics then Exit_code.Usage
+  else Exit_code.Invalid
+
 let invalid console diagnostics =
   Console.report console diagnostics;
-  ended console
-    (if List.for_all is_of_output diagnostics then Exit_code.Unwritten
-     else if List.for_all is_of_command_line diagnostics then Exit_code.Usage
-     else Exit_code.Invalid)
+  ended console (code_of diagnostics)
+
+let unwritten console results =
+  let code = function
+    | Ok () -> Exit_code.Holds
+    | Error diagnostics ->
+      Console.report console diagnostics;
+      code_of diagnostics
+  in
+  Exit_code.worst (List.map code results)
 
 let stopped console why =
   Console.note console ("scc: " ^ why);
@@ -61,6 +72,7 @@ let broken_off console why = if Standard.withdraw () then stopped console why el
 let rec failed console = function
   | Fun.Finally_raised e -> failed console e
   | Console.Output_closed -> Exit_code.Stopped
+  | Console.Refused text -> usage text
   | Console.Output_failed d ->
     complain_of console d;
     Exit_code.Unwritten
@@ -79,25 +91,37 @@ let rec failed console = function
 (* What cannot be told may fail again, but for the same reason only once. *)
 let rec told console e = match failed console e with code -> code | exception e -> told console e
 
-let around console command =
-  match
-    match command () with
-    | Ok code -> code
-    | Error diagnostics -> invalid console diagnostics
-  with
-  | code -> (
-      Console.progress_done console;
-      match Console.faults console with
-      | [] -> code
-      | faults -> Exit_code.worst [ code; bug (String.concat "; " faults) ])
-  | exception e -> told console e
+(* Of standard output that was lost beside other outputs. A reader that has ended gives its code, and not that of
+   what it did not read. *)
+let with_lost console code =
+  match (Console.lost console, code) with
+  | None, _ | Some Console.Output_closed, Exit_code.(Usage | Bug | Unwritten) -> code
+  | Some Console.Output_closed, _ -> Exit_code.Stopped
+  | Some e, _ -> Exit_code.worst [ code; told console e ]
 
-let run console command =
+let around console command =
+  let code =
+    match
+      match command () with
+      | Ok code -> code
+      | Error diagnostics -> invalid console diagnostics
+    with
+    | code -> (
+        Console.progress_done console;
+        match Console.faults console with
+        | [] -> code
+        | faults -> Exit_code.worst [ code; bug (String.concat "; " faults) ])
+    | exception e -> told console e
+  in
+  with_lost console code
+
+let run ?(outputs = []) console command =
   around console (fun () ->
       Interruption.heed ();
+      Console.declare console outputs;
       command ())
 
-let run_on_two console first second command =
+let run_on_two ?outputs console first second command =
   if String.equal first "-" && String.equal second "-" then
     usage "only one of the two can be read from standard input"
-  else run console command
+  else run ?outputs console command

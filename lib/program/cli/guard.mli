@@ -21,6 +21,10 @@ val complain_of : Console.t -> Diag.t -> unit
 val usage : string -> Exit_code.t
 (** Reports an error of the command line: exit code 64. *)
 
+val unwritten : Console.t -> (unit, Diag.t list) result list -> Exit_code.t
+(** [unwritten console results] reports the errors of several outputs, each of which was tried: the code is the
+    worst of theirs. *)
+
 val by_ending :
   string ->
   endings:string list ->
@@ -30,8 +34,12 @@ val by_ending :
 (** [by_ending path ~endings ~what find go] calls [go] with the path and the format that [find] gives for it.
     Without one it is {!usage}. *)
 
-val run : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
-(** Runs a command; its diagnostics are {!invalid}. Exceptions become exit codes: an output that failed (74), an
+val run :
+  ?outputs:Outputs.output list ->
+  Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
+(** Runs a command; its diagnostics are {!invalid}. [outputs] are the files that it
+    writes: if two of them are one file, or one of them is an input, that is {!usage} ({!Console.declare},
+    {!Console.reads}). Exceptions become exit codes: an output that failed (74), an
     output whose reader has closed it (4, silently), no memory left (4), bugs and everything unforeseen (70). A
     fault that was kept ({!Console.fault}) also gives 70, after all other output. Requests to end the program that
     came before it are answered first ({!Scc_system.Interruption.heed}): in JSON mode by a document. *)
@@ -40,5 +48,6 @@ val around : Console.t -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_co
 (** [around console main] is {!run} for what chooses the command. Requests to end the program still wait. *)
 
 val run_on_two :
+  ?outputs:Outputs.output list ->
   Console.t -> string -> string -> (unit -> (Exit_code.t, Diag.t list) result) -> Exit_code.t
 (** Runs a command that reads two files, as {!run} does. Both cannot be standard input (exit code 64). *)

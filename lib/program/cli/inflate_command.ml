@@ -113,13 +113,18 @@ let write_solids o write (found : Inflated.t) =
   let several = List.compare_length_with found.solids 1 > 0 in
   match o.output with
   | None -> Ok ()
-  | Some path when o.each -> Written_solid.drawn ~hint (numbered path)
+  | Some path when o.each ->
+    (* Each is an output of its own. *)
+    let one solid = Written_solid.drawn ~hint [ solid ] in
+    (match List.concat_map (fun s -> Result.fold ~ok:(fun () -> []) ~error:Fun.id (one s)) (numbered path) with
+     | [] -> Ok ()
+     | faults -> Error faults)
   | Some path when several && Filename.check_suffix (String.lowercase_ascii path) ".sc" ->
     Written_solid.templates ~hint path (numbered path)
   | Some path -> Written_solid.drawn ~hint [ ((path, write path), mesh found.solid) ]
 
 let work console o () =
-  let* source = Result.listed (Input.read o.path) in
+  let* source = Result.listed (Input.read console o.path) in
   if Scc_pixels.Icon.is_text (Source.text source) then Console.add_source console source;
   let read = Scc_pixels.Icon.read_warned ?resolution:o.resolution ~path:o.path in
   let* picture, warnings = Result.listed (read (Source.text source)) in
@@ -129,20 +134,24 @@ let work console o () =
   in
   Result.listed (Inflated.make ~progress ~path:o.path o.inflate picture)
 
+let declare_pieces console o (found : Inflated.t) =
+  let piece path k _ = Outputs.file "a piece of -o" (Some (numbered path k)) in
+  match o.output with
+  | Some path when o.each -> Console.declare console (List.concat (List.mapi (piece path) found.solids))
+  | Some _ | None -> ()
+
 let report console o write found =
-  let* () =
-    match write with
-    | None -> Ok ()
-    | Some find -> write_solids o find found
-  in
+  declare_pieces console o found;
+  let write () = match write with None -> Ok () | Some find -> write_solids o find found in
   let json () = Scc_json.Json_format.write format (o, found, console) in
-  Console.answer console ~text:(fun () -> text o found) ~json;
+  let* () = Console.answer_and_write console ~text:(fun () -> text o found) ~json write in
   Ok Exit_code.Holds
 
 let run color json o bounds =
   let console = Console.make ~color ~json () in
   let inflate write = Bounded.within console bounds (work console o) (report console o write) in
-  let go write = Guard.run console (fun () -> inflate write) in
+  let outputs = Outputs.file "-o" o.output in
+  let go write = Guard.run ~outputs console (fun () -> inflate write) in
   match o.output with
   | None -> go None
   | Some path ->

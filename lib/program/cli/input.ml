@@ -49,7 +49,8 @@ let standard_input = "<standard input>"
 let cannot_read ?hint name reason =
   Diag.error ?hint Code.cannot_read (Span.of_file name) "cannot read: %s" reason
 
-let read ?(max_bytes = max_bytes) ?smaller path =
+let read ?(max_bytes = max_bytes) ?smaller console path =
+  Console.reads console path;
   let name = if String.equal path "-" then standard_input else path in
   match bytes ~max_bytes path with
   | Ok text -> Ok (Source.make ~name text)
@@ -58,7 +59,7 @@ let read ?(max_bytes = max_bytes) ?smaller path =
     Error (cannot_read ?hint name reason)
 
 let text ?smaller console path =
-  let* source = Result.listed (read ?smaller path) in
+  let* source = Result.listed (read ?smaller console path) in
   Console.add_source console source;
   Ok source
 
@@ -75,6 +76,7 @@ let given console ~name text =
 
 (* For the places of its errors. *)
 let told console ~name path =
+  Console.reads console path;
   Result.map
     (fun text ->
        if Option.is_none (Console.source console name) then

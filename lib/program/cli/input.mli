@@ -3,7 +3,7 @@
 open Scc_base
 open Scc_exact
 
-val read : ?max_bytes:int -> ?smaller:string -> string -> (Source.t, Diag.t) result
+val read : ?max_bytes:int -> ?smaller:string -> Console.t -> string -> (Source.t, Diag.t) result
 (** The content of a file; ["-"] is standard input. A file that cannot be read, or has more than [max_bytes]
     (default: 64 MiB), is SC0101. Of one that has more, [smaller] is the hint how to make it smaller. *)
 

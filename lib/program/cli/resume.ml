@@ -29,8 +29,8 @@ let kind member number line =
   | exception Yojson.Json_error _ -> Other
 
 (* A last line without its end is none. *)
-let lines ~path ~header ~member ~what =
-  let* source = Result.listed (Input.read ~max_bytes:max_int path) in
+let lines console ~path ~header ~member ~what =
+  let* source = Result.listed (Input.read ~max_bytes:max_int console path) in
   match String.split_on_char '\n' (Source.text source) with
   | first :: rest when String.equal (first ^ "\n") header ->
     let rec count n = function

@@ -11,7 +11,7 @@ val conflict :
     written, or nothing for each task. *)
 
 val lines :
-  path:string -> header:string -> member:string -> what:string -> (int * string, Diag.t list) result
+  Console.t -> path:string -> header:string -> member:string -> what:string -> (int * string, Diag.t list) result
 (** The number of whole lines after the header, whose [member] has the numbers 0, 1, …, and the text up to
     there. A line with the member [interrupted] true is not whole, and what follows it is left out. A file with
     another header (that of another [what]), or with other lines, is SC0804. *)

@@ -97,9 +97,9 @@ let parameters (given : Options.definitions) =
   let range (name, (low, high)) = (name, `Assoc [ ("low", bound low); ("high", bound high) ]) in
   List.map value given.values @ List.map range given.narrowed
 
-let desk o =
+let desk console o =
   let told result = Result.map_error (fun (d : Diag.t) -> d.message) result in
-  let read path = told (Result.map Source.text (Input.read path)) in
+  let read path = told (Result.map Source.text (Input.read console path)) in
   let write path text = told (Whole_file.with_file path (fun put -> put text)) in
   let name = Filename.basename (Option.value o.model ~default:unsaved_name) in
   { Desk.name; path = o.model; read; write; parameters = parameters o.given; start }
@@ -119,7 +119,7 @@ let cannot_listen console port why =
   Exit_code.Unwritten
 
 let serve console o =
-  let desk = desk o in
+  let desk = desk console o in
   let document_process ~check ~seconds =
     Result.map (fun checks -> arguments (Document { checks; seconds })) (checks_of check)
   in

@@ -236,7 +236,12 @@ let shape console ~overrides ~bounds o output argument =
 
 let run color json overrides o bounds argument =
   let console = Console.make ~color ~json () in
-  let go output = Guard.run console (fun () -> shape console ~overrides ~bounds o output argument) in
+  let outputs =
+    (* A mesh is rewritten in place, and a model is not. *)
+    let over = match split argument with path, None -> Some path | _, Some _ -> None in
+    Outputs.file ~over "-o" o.output @ Outputs.file "--svg" o.svg @ Outputs.file "--view" o.page
+  in
+  let go output = Guard.run ~outputs console (fun () -> shape console ~overrides ~bounds o output argument) in
   match o.output with
   | _ when (match o.snap with Some t -> Rat.sign t <= 0 | None -> false) ->
     Guard.usage "the distance of --snap is to be greater than 0"

@@ -107,12 +107,12 @@ let conclude console ~room ~steps ~runs ~finished ~partly ~ended_early result =
 let in_all o = o.summary || Option.is_some o.plot || Option.is_some o.view
 
 (* What is gone on with: how many runs there are, as text, and as runs where something is told of all of them. *)
-let before o report =
+let before console o report =
   let exact = if in_all o then { report with Report.form = Jsonl; digits = Exactly } else report in
   match o.resume with
   | None -> Ok (0, Report.header report, [])
   | Some path ->
-    let* n, text = Resume.lines ~path ~header:(Report.header exact) ~member:"run" ~what:"simulation" in
+    let* n, text = Resume.lines console ~path ~header:(Report.header exact) ~member:"run" ~what:"simulation" in
     let rec read k found = function
       | line :: rest when k < min n o.runs -> (
           match Report.read line with
@@ -133,7 +133,7 @@ let simulate console o ~says_more ~room =
   if o.form = Csv && says_more then
     Option.iter (fun line -> Console.note console ("scc: " ^ line)) (Scc_elaborate.Lattices.line model.lattices);
   let report = report o model observables plan.times in
-  let* there, before, earlier = before o report in
+  let* there, before, earlier = before console o report in
   let from, last = Task_part.range o.part ~count:o.runs in
   let first = max there from in
   let path = if o.summary then o.output else Resume.file ~output:o.output ~resume:o.resume in
@@ -160,7 +160,7 @@ let simulate console o ~says_more ~room =
   in
   let draw path =
     let chart put = put (Plot.chart report ~quantiles:(quantiles_of o) !all) in
-    Console.with_output console ~path:(Some path) chart
+    Result.listed (Console.with_output console ~path:(Some path) chart)
   in
   let view path =
     let interrupted () = Memory_of_runs.stopped room in
@@ -169,20 +169,29 @@ let simulate console o ~says_more ~room =
       ~interrupted
   in
   Console.flush console;
-  match Console.with_output console ~pieces:(not o.summary) ~path write with
-  | Error d -> Error [ d ]
-  | Ok result ->
-    let* () = Result.listed (Option.fold ~none:(Ok ()) ~some:draw o.plot) in
-    let* whole = Option.fold ~none:(Ok true) ~some:view o.view in
+  match Console.with_main_output console ~pieces:(not o.summary) ~path write with
+  | None, failed -> Result.map (fun () -> Exit_code.Holds) (Result.listed failed)
+  | Some result, table ->
+    let plot = Option.fold ~none:(Ok ()) ~some:draw o.plot in
+    let page = Option.fold ~none:(Ok true) ~some:view o.view in
+    let others = Guard.unwritten console [ Result.listed table; plot; Result.map ignore page ] in
+    let cut : Exit_code.t = match page with Ok false -> Stopped | Ok true | Error _ -> Holds in
     let runs = last - from and finished = !written and partly = !partly and ended_early = !ended_early in
     let* code = conclude console ~room ~steps:o.steps ~runs ~finished ~partly ~ended_early result in
-    Ok (Kept_runs.finish console kept (if whole then code else Exit_code.worst [ code; Stopped ]))
+    Ok (Kept_runs.finish console kept (Exit_code.worst [ code; cut; others ]))
+
+let outputs o =
+  List.concat
+    [
+      Outputs.file ~over:o.resume "-o" (Resume.file ~output:o.output ~resume:o.resume);
+      Outputs.file "--plot" o.plot; Outputs.file "--view" o.view; Outputs.store o.store;
+    ]
 
 let run color progress o =
   let console = Console.make ?progress ~color ~json:false () in
   let room = Memory_of_runs.start ~memory:o.memory ~jobs:o.jobs () in
   Scc_base.Memory.spare_runs ();
-  Guard.run console (fun () -> simulate console o ~says_more:(Option.is_some progress) ~room)
+  Guard.run ~outputs:(outputs o) console (fun () -> simulate console o ~says_more:(Option.is_some progress) ~room)
 
 (* {1 The command line} *)
 
@@ -264,12 +273,11 @@ let fitting o =
   else if Option.is_some o.view && Option.is_some o.resume then
     Error "--view and --resume do not go together: with --store, the same command resumes and writes the page"
   else
-    let conflict path =
+    let too_large _ =
       let times = Array.length (Simulation.times ~every:o.every ~until:o.until) in
-      Simulation_page.conflict ~times ~observables:(List.length o.observed) ~path
-        ~others:[ ("-o", o.output); ("--plot", o.plot); ("--store", o.store) ]
+      Simulation_page.too_large ~times ~observables:(List.length o.observed)
     in
-    let view = Option.bind o.view conflict in
+    let view = Option.bind o.view too_large in
     let lines = o.form <> Csv || o.summary in
     let conflict = Resume.conflict ~resume:o.resume ~store:o.store ~part:o.part ~lines in
     match ((if Option.is_some view then view else conflict), o.resume) with

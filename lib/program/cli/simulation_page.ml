@@ -46,6 +46,7 @@ let spread t (report : Report.t) ~asked ~first ~summary =
     cut = from_first t.cut;
     cells = Array.map (Array.map cell) (Report.cells summary);
     shown = List.rev_map shown t.runs;
+    hurried = false;
   }
 
 (* The numbers among the observables, each once. What has no value as a curve is left to the table. *)
@@ -88,20 +89,16 @@ let write t console model ~path ~name ~report ~asked ~first ~summary ~interrupte
   match Console.with_output console ~path:(Some path) page with
   | Error d -> Error [ d ]
   | Ok () ->
-    let has = List.length document.runs and wanted = List.length spread.shown in
-    let whole = !hurry = None || has = wanted in
-    let told = Printf.sprintf "scc: interrupted: the page shows %d of %d runs" has wanted in
-    if not whole then Console.note console told;
-    Ok whole
+    let hurried = Option.fold ~none:false ~some:(fun (s : Spread.t) -> s.hurried) document.spread in
+    let shown = Scc_base.Plural.count (List.length document.runs) "run" "runs" in
+    if hurried then
+      Console.note console
+        (Printf.sprintf "scc: interrupted: the page shows %s, as many as there was time for" shown);
+    Ok (not hurried)
 
-(* However the folder is written. *)
-let place path =
-  match Unix.realpath (Filename.dirname path) with
-  | folder -> Filename.concat folder (Filename.basename path)
-  | exception Unix.Unix_error _ -> path
-
-let conflict ~times ~observables ~others ~path =
-  if times * observables > Spread.most_cells then
+let too_large ~times ~observables =
+  if times * observables <= Spread.most_cells then None
+  else
     Some
       (Printf.sprintf
          "a page of --view has room for %d values of a run, and these are %d (%s at %d times): take a greater \
@@ -109,9 +106,3 @@ let conflict ~times ~observables ~others ~path =
          Spread.most_cells (times * observables)
          (Scc_base.Plural.count observables "observable" "observables")
          times)
-  else
-    let same (name, other) =
-      let is_same = Option.equal String.equal (Option.map place other) (Some (place path)) in
-      if is_same then Some (Printf.sprintf "--view and %s name the same file" name) else None
-    in
-    List.find_map same others

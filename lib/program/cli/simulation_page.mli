@@ -30,7 +30,5 @@ val write :
     of the file of the model. If [interrupted ()] is or becomes true, the page gets the runs that are made in a few
     seconds, at least one. The result is true if it has all runs that it would have otherwise. *)
 
-val conflict :
-  times:int -> observables:int -> others:(string * string option) list -> path:string -> string option
-(** Why there is no page of so many times and observables, or not at this path. [others] are other options for
-    files that are written. *)
+val too_large : times:int -> observables:int -> string option
+(** Why there is no page of so many times and observables, if there is none. *)

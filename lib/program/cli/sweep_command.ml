@@ -172,7 +172,7 @@ let sweep console o watch =
   let* there, before =
     match o.resume with
     | None -> Ok (0, match o.form with Csv -> Table.csv_header table | Jsonl -> Table.json_header table)
-    | Some path -> Resume.lines ~path ~header:(Table.json_header table) ~member:"point" ~what:"sweep"
+    | Some path -> Resume.lines console ~path ~header:(Table.json_header table) ~member:"point" ~what:"sweep"
   in
   let* points = Kept_runs.openly console ~folder:o.store ~identity:(identity o ~digest) "the points" in
   let path = Resume.file ~output:o.output ~resume:o.resume in
@@ -195,24 +195,33 @@ let sweep console o watch =
     result
   in
   Console.flush console;
-  let* result = Result.listed (Console.with_output console ~pieces:true ~path write) in
+  let made, table = Console.with_main_output console ~pieces:true ~path write in
   let title = Option.value name ~default:"a model" in
   let draw path =
     let chart put = put (Picture.chart ~title o.grid (Array.of_list (List.rev seen.all))) in
     Result.listed (Console.with_output console ~path:(Some path) chart)
   in
-  let* () =
-    match (o.plot, result) with
-    | Some path, Ok () -> draw path
-    | Some _, Error _ | None, _ -> Ok ()
-  in
-  let* code = conclude console seen ~count result in
-  Ok (Kept_runs.finish console points code)
+  match made with
+  | None -> Result.map (fun () -> Exit_code.Holds) (Result.listed table)
+  | Some result ->
+    let plot =
+      match (o.plot, result) with
+      | Some path, Ok () -> draw path
+      | Some _, Error _ | None, _ -> Ok ()
+    in
+    let others = Guard.unwritten console [ Result.listed table; plot ] in
+    let* code = conclude console seen ~count result in
+    Ok (Kept_runs.finish console points (Exit_code.worst [ code; others ]))
+
+let outputs o =
+  Outputs.file ~over:o.resume "-o" (Resume.file ~output:o.output ~resume:o.resume)
+  @ Outputs.file "--plot" o.plot
+  @ Outputs.store o.store
 
 let run color progress o =
   let console = Console.make ?progress ~color ~json:false () in
   let watch = Watch.start ~memory:(Check_options.words o.budget) () in
-  Guard.run console (fun () -> sweep console o watch)
+  Guard.run ~outputs:(outputs o) console (fun () -> sweep console o watch)
 
 (* {1 The command line} *)
 

@@ -41,7 +41,7 @@ let run color o =
   let console = Console.make ~color ~json:false () in
   let watch = Watch.start ~memory:(Check_options.words_of o.memory) () in
   Scc_base.Memory.spare_runs ();
-  Guard.run console (fun () ->
+  Guard.run ~outputs:(Outputs.file "-o" o.output) console (fun () ->
       let* chosen = Chosen_run.prepare console o.choices ~given:o.given o.path in
       let write = write_run o chosen watch in
       match Console.with_output console ~path:o.output write with

@@ -32,7 +32,8 @@ let translate console notation output path =
 
 let run color named output path =
   let console = Console.make ~color ~json:false () in
-  Guard.run console (fun () -> translate console (target ~named ~output) output path)
+  let target = target ~named ~output in
+  Guard.run ~outputs:(Outputs.file "-o" output) console (fun () -> translate console target output path)
 
 (* The language of scc is the refined calculus, and is known by that as well. *)
 let names =

@@ -48,7 +48,7 @@ let run color progress budget o =
   let o = { o with shown = { o.shown with budget } } in
   let console = Console.make ?progress ~color ~json:false () in
   Memory.spare_runs ();
-  Guard.run console (fun () ->
+  Guard.run ~outputs:(Outputs.file "-o" (Some (output_of o))) console (fun () ->
       let watch = Check_options.watch budget in
       let* write = content console o watch in
       let interrupted = Watch.interrupted watch () in

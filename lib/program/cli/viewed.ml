@@ -363,13 +363,18 @@ let simulated (l : Loaded.t) ~name s ~cut ~interrupted =
   let* initial = Loaded.initial l in
   ignore (States.start world initial);
   let rec go made bytes rows = function
-    | (run : Spread.shown) :: rest when bytes < most_bytes && not (made <> [] && interrupted ()) ->
-      let* shown = simulated_run making world s run ~cut:(cut run) ~interrupted in
-      let more, rows = bytes_since making rows in
-      go ((run, shown) :: made) (bytes + more) rows rest
-    | _ -> Ok (List.rev made)
+    | (run : Spread.shown) :: rest when bytes < most_bytes ->
+      if made <> [] && interrupted () then Ok (List.rev made, true)
+      else begin
+        match simulated_run making world s run ~cut:(cut run) ~interrupted with
+        | Error _ as refused -> refused
+        | Ok shown ->
+          let more, rows = bytes_since making rows in
+          go ((run, shown) :: made) (bytes + more) rows rest
+      end
+    | _ -> Ok (List.rev made, false)
   in
-  let* made = go [] 0 (0, 0) s.spread.shown in
+  let* made, hurried = go [] 0 (0, 0) s.spread.shown in
   let states = States.count making.states in
   let graph = { Graph.states; expanded = states; complete = false; bound = states } in
   Ok
@@ -382,5 +387,5 @@ let simulated (l : Loaded.t) ~name s ~cut ~interrupted =
       graph = (if Large_run.is_for l.model then None else Some graph);
       runs = List.map snd made;
       where = None;
-      spread = Some { s.spread with shown = List.map fst made };
+      spread = Some { s.spread with shown = List.map fst made; hurried };
     }

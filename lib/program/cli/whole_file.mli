@@ -6,6 +6,13 @@
 
 open Scc_base
 
+exception Failed of Diag.t
+(** What the functions that write to a file raise where it cannot be written (SC0103). *)
+
+val target : ?links:int -> string -> string
+(** [target path] is the file that a path leads to through links, whether or not it is there. [links] is how many
+    have been followed. *)
+
 val write : (string * ((string -> unit) -> unit)) list -> (unit, Diag.t) result
 (** [write files] calls each function, in order, with a function that writes to the file of its path. The files
     are put in place when all are complete. A file that cannot be written is SC0103. Exceptions of the functions

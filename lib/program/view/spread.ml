@@ -17,6 +17,7 @@ type t = {
   cut : int array;
   cells : cell array array;
   shown : shown list;
+  hurried : bool;
 }
 
 let most_cells = 10_000
@@ -142,5 +143,9 @@ let format =
         ~about:"By time: how many runs an interruption had ended before it.";
       field "cells" (array (array cell_format)) rows ~about:"By time, and then by observable.";
       field "shown" (list shown_format) (fun t -> t.shown) ~about:"Each is the run of the document in its place.";
+      field "hurried" bool (fun t -> t.hurried)
+        ~about:
+          "True if an interruption left no time to show more runs; otherwise there are as many as fit, at most \
+           20.";
     ]
   |> Rows.named "spread"

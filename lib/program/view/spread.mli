@@ -29,6 +29,7 @@ type t = {
   cut : int array;  (** by time: how many runs an interruption had ended before it *)
   cells : cell array array;  (** by time, and then by observable *)
   shown : shown list;
+  hurried : bool;  (** there are no more in [shown] since an interruption left no time for them *)
 }
 
 val most_cells : int

@@ -45,8 +45,10 @@ let names ~vertices labels =
       Hashtbl.replace so_far l (k + 1);
       numbered l k
     in
-    each (fun l -> Hashtbl.find counts l = 1) Fun.id;
-    each (fun l -> Hashtbl.find counts l > 1) next
+    let alone l = Hashtbl.find counts l = 1 and is_reserved = Scc_base.Language_words.is_reserved in
+    each (fun l -> alone l && not (is_reserved l)) Fun.id;
+    each (fun l -> alone l && is_reserved l) (fun l -> "g" ^ l);
+    each (fun l -> not (alone l)) next
   end;
   let rec free name = match take name with Some name -> name | None -> free (name ^ "_") in
   Array.mapi (fun f -> function Some name -> name | None -> free (Printf.sprintf "f%d" f)) found

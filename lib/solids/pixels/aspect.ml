@@ -25,7 +25,8 @@ let ratio text =
     if String.length align <> 8 || align.[0] <> 'x' || align.[4] <> 'Y' then fault text;
     Even { left = share text (String.sub align 1 3); top = share text (String.sub align 5 3); slice }
   in
-  match words text with
+  (* [defer] is for pictures alone. *)
+  match (match words text with "defer" :: (_ :: _ as rest) -> rest | words -> words) with
   | [] -> even "xMidYMid" ~slice:false
   | "none" :: ([] | [ ("meet" | "slice") ]) -> Stretched
   | [ align ] | [ align; "meet" ] -> even align ~slice:false

@@ -78,11 +78,18 @@ let declaration text =
                                                                                                     true }
     | _ -> { property; value; important = false }
 
+(* CSS has no numbers that end with a point; attributes do. *)
+let ends_with_point value =
+  let digit i = i >= 0 && i < String.length value && value.[i] >= '0' && value.[i] <= '9' in
+  let ends i = value.[i] = '.' && digit (i - 1) && not (digit (i + 1)) in
+  let quoted = String.exists (fun c -> c = '"' || c = '\'' || c = '#') value in
+  (not quoted) && List.exists ends (List.init (String.length value) Fun.id)
+
 (* Of a block: what is not valid is ignored where another value of the property is before it. *)
 let valid_of ~valid block =
   let known = Hashtbl.create 8 in
   let counts d =
-    let good = valid d.property d.value in
+    let good = valid d.property d.value && not (ends_with_point d.value) in
     let before = Hashtbl.mem known d.property in
     if good then Hashtbl.replace known d.property ();
     good || not before

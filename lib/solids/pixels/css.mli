@@ -10,6 +10,10 @@ val declarations : valid:(string -> string -> bool) -> string -> declaration lis
 (** The declarations of a text such as that of the attribute [style], in their order. [valid property value] is
     false for what CSS ignores; it is left out where a valid value of the same property is before it. *)
 
+val ends_with_point : string -> bool
+(** [ends_with_point value] is true if a number in a value ends with a point: in CSS, but not in attributes, this
+    is a fault. *)
+
 type rule
 (** A selector with its declarations. *)
 

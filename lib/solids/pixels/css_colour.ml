@@ -7,7 +7,12 @@ type paint = Nothing | Current | Colour of colour | Server of string * paint opt
 let bad text = raise (Bad (Printf.sprintf "the colour %S" text))
 
 let unread text =
-  raise (Unread (Printf.sprintf "the paint %S (colours are names of CSS, #rrggbb, rgb() and hsl())" text))
+  raise
+    (Unread
+       (Printf.sprintf
+          "the paint %S (colours are names of CSS, #rrggbb, rgb(), hsl(), hwb(), lab(), lch(), oklab(), oklch(), \
+           and color() in srgb, srgb-linear and display-p3)"
+          text))
 
 let ratio a b = Rat.make (Z.of_int a) (Z.of_int b)
 let between low high q = Rat.max low (Rat.min high q)
@@ -73,14 +78,25 @@ let degrees text (q, unit) =
   | _ -> bad text
 
 (* The formula of CSS Color 4: each level is l - s min(l, 1 - l) max(-1, min(k - 3, 9 - k, 1)). *)
-let of_hsl h s l =
+let levels_of_hsl h s l =
   let a = Rat.mul s (Rat.min l (Rat.sub Rat.one l)) in
   let level n =
     let k = Rat.modulo (Rat.add (Rat.of_int n) (Rat.div h (Rat.of_int 30))) (Rat.of_int 12) in
     let up = Rat.min (Rat.sub k (Rat.of_int 3)) (Rat.sub (Rat.of_int 9) k) in
-    Rat.mul (Rat.of_int 255) (Rat.sub l (Rat.mul a (Rat.max (Rat.of_int (-1)) (Rat.min up Rat.one))))
+    Rat.sub l (Rat.mul a (Rat.max (Rat.of_int (-1)) (Rat.min up Rat.one)))
   in
-  together [ level 0; level 8; level 4 ]
+  [ level 0; level 8; level 4 ]
+
+let of_shares shares = together (List.map (Rat.mul (Rat.of_int 255)) shares)
+let of_hsl h s l = of_shares (levels_of_hsl h s l)
+
+(* With white and black; too much of both is a grey. *)
+let of_hwb h white black =
+  let both = Rat.add white black in
+  if Rat.compare both Rat.one >= 0 then of_shares (List.init 3 (fun _ -> Rat.div white both))
+  else
+    let mixed level = Rat.add (Rat.mul level (Rat.sub Rat.one both)) white in
+    of_shares (List.map mixed (levels_of_hsl h Rat.one Rat.half))
 
 (* {2 By the formulas of CSS Color 4, for a colour that is rounded to bytes}
 
@@ -121,6 +137,36 @@ let of_oklab parts =
        ]
        (List.map (fun x -> x *. x *. x) cones))
 
+(* From CIE Lab, whose white is D50, by the linear transform of Bradford. *)
+let of_lab parts =
+  let l, a, b = match parts with [ l; a; b ] -> (l, a, b) | _ -> invalid_arg "of_lab" in
+  let kappa = 24389. /. 27. and epsilon = 216. /. 24389. in
+  let middle = (l +. 16.) /. 116. in
+  let from x = if x *. x *. x > epsilon then x *. x *. x else ((116. *. x) -. 16.) /. kappa in
+  let y = if l > kappa *. epsilon then middle *. middle *. middle else l /. kappa in
+  let white_x = 0.3457 /. 0.3585 and white_z = (1. -. 0.3457 -. 0.3585) /. 0.3585 in
+  let d50 = [ white_x *. from (middle +. (a /. 500.)); y; white_z *. from (middle -. (b /. 200.)) ] in
+  let d65 =
+    times
+      [
+        [ 0.9554734215; -0.0230984549; 0.0632592432 ]; [ -0.0283697093; 1.0099953981; 0.0210414412 ];
+        [ 0.0123140149; -0.0205076493; 1.3303659262 ];
+      ]
+      d50
+  in
+  of_linear
+    (times
+       [
+         [ 3.2409699419; -1.5373831776; -0.4986107603 ]; [ -0.9692436363; 1.8759675015; 0.0415550574 ];
+         [ 0.0556300797; -0.2039769589; 1.0569715142 ];
+       ]
+       d65)
+
+(* Spaces that CSS has beside those that are read. *)
+let other_spaces =
+  String.split_on_char ' '
+    "a98-rgb prophoto-rgb rec2020 xyz xyz-d50 xyz-d65 display-p3-linear rec2100-pq rec2100-hlg rec2100-linear"
+
 (* color(): the name of a space, and three parts. *)
 let in_space text inner =
   let inner = String.trim inner in
@@ -140,36 +186,52 @@ let in_space text inner =
   | "srgb" -> all (fun levels -> together (List.map (Rat.mul (Rat.of_int 255)) levels))
   | "srgb-linear" -> all (floats of_linear)
   | "display-p3" -> all (floats of_p3)
-  | _ -> unread text
+  | _ when List.mem space other_spaces || String.starts_with ~prefix:"--" space -> unread text
+  | _ -> bad text
 
-let of_ok text name inner =
+(* Lightness up to [most], and two axes, or a chroma and its direction: 100 % of an axis, and of a chroma. *)
+let of_lightness text inner ~most ~axis ~chroma convert =
   let part whole p = Rat.to_float (level text whole p) in
   match arguments text inner with
   | [ l; a; b ], opacity, false ->
-    let l = Float.max 0. (Float.min 1. (part Rat.one l)) and a = part (ratio 2 5) a in
+    let l = Float.max 0. (Float.min (Rat.to_float most) (part most l)) in
     let parts =
-      if name = "oklab" then [ l; a; part (ratio 2 5) b ]
-      else
-        let turn = Rat.to_float (degrees text b) *. Float.pi /. 180. in
-        [ l; Float.max 0. a *. Float.cos turn; Float.max 0. a *. Float.sin turn ]
+      match chroma with
+      | None -> [ l; part axis a; part axis b ]
+      | Some whole ->
+        let a = Float.max 0. (part whole a) and turn = Rat.to_float (degrees text b) *. Float.pi /. 180. in
+        [ l; a *. Float.cos turn; a *. Float.sin turn ]
     in
-    { rgb = of_oklab parts; alpha = alpha text opacity }
+    { rgb = convert parts; alpha = alpha text opacity }
   | _ -> bad text
 
+let of_ok text inner = of_lightness text inner ~most:Rat.one ~axis:(ratio 2 5)
+let of_cie text inner = of_lightness text inner ~most:(Rat.of_int 100) ~axis:(Rat.of_int 125)
+
 let applied text name inner =
+  (* Without commas a plain number is a percentage. *)
+  let percent (q, unit) =
+    if unit = "%" || unit = "" then part_of_one (Rat.div q (Rat.of_int 100)) else bad text
+  in
   match name with
+  | _ when String.starts_with ~prefix:"from " (String.trim inner) -> unread text
   | "color" -> in_space text inner
-  | "oklab" | "oklch" -> of_ok text name inner
+  | "oklab" -> of_ok text inner ~chroma:None of_oklab
+  | "oklch" -> of_ok text inner ~chroma:(Some (ratio 2 5)) of_oklab
+  | "lab" -> of_cie text inner ~chroma:None of_lab
+  | "lch" -> of_cie text inner ~chroma:(Some (Rat.of_int 150)) of_lab
   | "rgb" | "rgba" -> (
       match arguments text inner with
       | ([ (_, r); (_, g); (_, b) ] as levels), opacity, commas when (not commas) || (r = g && g = b) ->
         { rgb = together (List.map (level text (Rat.of_int 255)) levels); alpha = alpha text opacity }
       | _ -> bad text)
+  | "hwb" -> (
+      match arguments text inner with
+      | [ h; w; b ], opacity, false ->
+        { rgb = of_hwb (degrees text h) (percent w) (percent b); alpha = alpha text opacity }
+      | _ -> bad text)
   | "hsl" | "hsla" -> (
-      (* Without commas a plain number is a percentage. *)
-      let part ~commas (q, unit) =
-        if unit = "%" || (unit = "" && not commas) then part_of_one (Rat.div q (Rat.of_int 100)) else bad text
-      in
+      let part ~commas ((_, unit) as p) = if commas && unit <> "%" then bad text else percent p in
       match arguments text inner with
       | [ h; s; l ], opacity, commas ->
         { rgb = of_hsl (degrees text h) (part ~commas s) (part ~commas l); alpha = alpha text opacity }
@@ -187,7 +249,9 @@ let plain text =
       | Some i when text.[n - 1] = ')' ->
         applied text (String.sub text 0 i) (String.sub text (i + 1) (n - i - 2))
       | Some _ -> bad text
-      | None -> unread text)
+      | None ->
+        let in_word c = (c >= 'a' && c <= 'z') || c = '-' || c = '_' in
+        if text <> "" && String.for_all in_word text then unread text else bad text)
 
 (* In SVG 1.1 a colour may have another one behind it, for printers. *)
 let without_profile text =

@@ -13,10 +13,10 @@ type paint =
 val paint : string -> paint
 (** [paint text] is what the text of a property says: [none], [currentColor], [url(#id)] with or without what
     takes its place, or a colour. A colour is a name of CSS, [#rgb], [#rgba], [#rrggbb], [#rrggbbaa], [rgb()],
-    [rgba()], [hsl()] or [hsla()] in all their notations, [oklab()], [oklch()], [color()] in [srgb],
-    [srgb-linear] or [display-p3], or [transparent]. What [icc-color()] says behind a colour does not count.
-    Upper and lower case are the same. Raises {!Svg_number.Bad} for a text that violates the format, and
-    {!Svg_number.Unread} for other functions and names. *)
+    [rgba()], [hsl()] or [hsla()] in all their notations, [hwb()], [lab()], [lch()], [oklab()], [oklch()],
+    [color()] in [srgb], [srgb-linear] or [display-p3], or [transparent]. What [icc-color()] says behind a colour
+    does not count. Upper and lower case are the same. Raises {!Svg_number.Bad} for a text that violates the
+    format, and {!Svg_number.Unread} for other functions and names. *)
 
 val reference : string -> string option
 (** [reference text] is the id in [url(#id)], quoted or not; [None] if the text is not of this form. *)

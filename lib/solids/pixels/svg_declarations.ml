@@ -21,12 +21,8 @@ let of_attribute element (name, value) =
       | Read -> kept "attribute" (name, lower (String.trim value))
       | Still | Unread _ -> None)
 
-(* CSS has no numbers that end with a point; attributes do. *)
 let check_point (d : Css.declaration) =
-  let digit i = i >= 0 && i < String.length d.value && d.value.[i] >= '0' && d.value.[i] <= '9' in
-  let ends i = d.value.[i] = '.' && digit (i - 1) && not (digit (i + 1)) in
-  let quoted = String.exists (fun c -> c = '"' || c = '\'' || c = '#') d.value in
-  if (not quoted) && List.exists ends (List.init (String.length d.value) Fun.id) then
+  if Css.ends_with_point d.value then
     raise (Bad (Printf.sprintf "a number that ends with a point: %S" d.value))
 
 let of_declaration (d : Css.declaration) =

@@ -70,7 +70,7 @@ let number c =
       if digits c > 0 then String.sub c.text (mark + 1) (c.at - mark - 1) else begin c.at <- mark; "0" end
     | _ -> "0"
   in
-  if c.at - start > 40 then bad "a number of more than 40 characters";
+  if c.at - start > 40 then raise (Unread "a number of more than 40 characters");
   let negative = mantissa.[0] = '-' in
   let unsigned t = if t.[0] = '+' || t.[0] = '-' then String.sub t 1 (String.length t - 1) else t in
   let plain = unsigned mantissa in
@@ -80,13 +80,13 @@ let number c =
   let power =
     match int_of_string_opt (if exponent.[0] = '+' then unsigned exponent else exponent) with
     | Some n when abs n <= 9 -> n
-    | _ -> bad "a number with an exponent beyond 9"
+    | _ -> raise (Unread "a number with an exponent beyond 9")
   in
   match Rat.of_literal literal with
   | Ok q ->
     let ten = Rat.make (Z.pow (Z.of_int 10) (abs power)) Z.one in
     let q = if power >= 0 then Rat.mul q ten else Rat.div q ten in
-    if Rat.compare q (Rat.of_int 1_000_000_000) > 0 then bad "a number beyond 10^9";
+    if Rat.compare q (Rat.of_int 1_000_000_000) > 0 then raise (Unread "a number beyond 10^9");
     if negative then Rat.neg q else q
   | Error _ -> bad "no number: %S" literal
 
@@ -139,6 +139,12 @@ let with_unit text =
   if not (ended c) then bad "more than a number with its unit: %S" text;
   (q, unit)
 
+(* Of CSS, that depend on something else. *)
+let other_units =
+  String.split_on_char ' '
+    "em rem ex rex cap rcap ch rch ic ric lh rlh q vw vh vi vb vmin vmax svw svh svi svb svmin svmax lvw lvh lvi \
+     lvb lvmin lvmax dvw dvh dvi dvb dvmin dvmax cqw cqh cqi cqb cqmin cqmax %"
+
 let length ?whole text =
   let q, unit = with_unit text in
   let times n d = Rat.mul q (Rat.make (Z.of_int n) (Z.of_int d)) in
@@ -150,8 +156,7 @@ let length ?whole text =
   | "mm", _ -> times 480 127
   | "cm", _ -> times 4800 127
   | "in", _ -> times 96 1
-  | ("em" | "ex" | "rem" | "ch" | "vw" | "vh" | "vmin" | "vmax" | "q" | "%"), _ ->
-    raise (Unread (Printf.sprintf "lengths in %S" unit))
+  | _ when List.mem unit other_units -> raise (Unread (Printf.sprintf "lengths in %S" unit))
   | _ -> bad "the length %S" text
 
 let share text =

@@ -66,13 +66,19 @@ let length_of name value = if Svg_value.is_length value then value else bad "the
 (* Attributes have so many numbers in real drawings, that a longer list is a fault. *)
 let max_dashes = 1_000
 
+(* What has no negative lengths. *)
+let size_of name value =
+  let negative () = match Svg_number.with_unit value with q, _ -> Rat.sign q < 0 in
+  if negative () then bad "a %s below 0" name else length_of name value
+
 let dashes value =
   if value = "none" then []
   else begin
     let words = words value in
-    if List.compare_length_with words max_dashes > 0 then bad "a stroke-dasharray of more than %d numbers"
-        max_dashes;
-    List.map (length_of "stroke-dasharray") words
+    if List.compare_length_with words max_dashes > 0 then
+      unread "a stroke-dasharray of more than %d numbers" max_dashes;
+    if List.compare_length_with words 0 = 0 then bad "the stroke-dasharray %S" value;
+    List.map (size_of "stroke-dasharray") words
   end
 
 let join value =
@@ -144,13 +150,24 @@ let displays =
      table-row-group table-header-group table-footer-group table-row table-column-group table-column table-cell \
      flex inline-flex grid inline-grid math ruby"
 
+(* With a meaning of their own for an element of SVG, or for browsers alone. *)
+let other_displays =
+  String.split_on_char ' '
+    "contents ruby-base ruby-text ruby-base-container ruby-text-container grid-lanes inline-grid-lanes masonry \
+     inline-masonry"
+
+let is_of_browser value =
+  String.length value > 1 && value.[0] = '-' && (value.[1] = '-' || (value.[1] >= 'a' && value.[1] <= 'z'))
+
 let display value =
   if List.mem value displays then true
   else if value = "none" then false
-  else unread "the display %S" value
+  else if List.mem value other_displays || is_of_browser value || String.contains value ' ' then
+    unread "the display %S" value
+  else bad "the display %S" value
 
 let clipped value =
-  if value = "overlay" then unread "the overflow %S" value;
+  if value = "overlay" || String.contains value ' ' then unread "the overflow %S" value;
   one_of "overflow" value
     [ ("visible", false); ("auto", false); ("hidden", true); ("scroll", true); ("clip", true) ]
 
@@ -158,7 +175,7 @@ let fixed_width value =
   let effects =
     [ "non-scaling-stroke"; "non-scaling-size"; "non-rotation"; "fixed-position"; "viewport"; "screen" ]
   in
-  let words = String.split_on_char ' ' value in
+  let words = List.filter (( <> ) "") (String.split_on_char ' ' value) in
   if not (value = "none" || List.for_all (fun w -> List.mem w effects) words) then
     bad "the vector-effect %S" value;
   value <> "none"
@@ -187,7 +204,7 @@ let given style name value =
   | "color" -> colour style value
   | "stroke" -> { style with stroke = Css_colour.paint value }
   | "stroke-opacity" -> { style with stroke_opacity = share value }
-  | "stroke-width" -> { style with width = length_of name value }
+  | "stroke-width" -> { style with width = size_of name value }
   | "stroke-linecap" ->
     { style with cap = one_of name value [ ("butt", Svg_stroke.Butt); ("round", Round_cap); ("square", Square) ] }
   | "stroke-linejoin" -> { style with join = join value }
@@ -216,6 +233,7 @@ let own_properties =
   [ "display"; "opacity"; "clip-path"; "overflow"; "vector-effect"; "mask"; "filter"; "mix-blend-mode" ]
 
 let property ~around style (name, value) =
+  let value = String.map (fun c -> if is_blank c then ' ' else c) value in
   match String.lowercase_ascii value with
   | ("inherit" | "unset" | "initial") as word when not (List.mem name own_properties) ->
     Option.value ~default:style
@@ -225,19 +243,33 @@ let property ~around style (name, value) =
   | _ -> (
       try given style name value with Bad fault -> bad "%s, as the value of %s" fault name)
 
-(* Only of single words, and of colours by their digits, is it certain that CSS ignores them. What else is not read
-   may have a meaning; so have words of browsers, which begin with "-". *)
+(* A value with functions is looked at if it is one of these alone, with plain values: others may have a meaning,
+   such as calc(), var(), and colours made from others. So have words of browsers. *)
+let is_looked_at value =
+  let functions = [ "rgb"; "rgba"; "hsl"; "hsla"; "hwb"; "lab"; "lch"; "oklab"; "oklch"; "color" ] in
+  match String.split_on_char '(' value with
+  | [ _ ] -> not (is_of_browser value)
+  | [ name; _ ] -> List.mem name functions
+  | _ -> false
+
 let is_valid name value =
   let value = String.lowercase_ascii value in
-  let begins c = value <> "" && value.[0] = c in
-  let word = String.for_all (fun c -> (c >= 'a' && c <= 'z') || c = '-' || c = '_') value && not (begins '-') in
-  (not (word || begins '#'))
-  ||
-  match property ~around:initial initial (name, value) with
-  | _ -> true
-  | exception Bad _ -> false
-  | exception Unread _ ->
-    not (word && List.mem name [ "fill"; "stroke"; "color"; "stop-color" ] && Css_colour.is_unknown value)
+  let word = String.for_all (fun c -> (c >= 'a' && c <= 'z') || c = '-' || c = '_') value in
+  let of_colour = List.mem name [ "fill"; "stroke"; "color"; "stop-color" ] in
+  (* Browsers take such a limit, and SVG does not. *)
+  let is_small_limit () =
+    name = "stroke-miterlimit" && (match with_unit value with q, "" -> Rat.sign q >= 0 | _ -> false)
+  in
+  match name with
+  | "transform" | "transform-origin" | "transform-box" -> Svg_transform.is_valid name value
+  | _ -> (
+      (not (is_looked_at value))
+      ||
+      match property ~around:initial initial (name, value) with
+      | _ -> true
+      | exception Bad _ -> is_small_limit ()
+      | exception Unread _ -> not (word && of_colour && Css_colour.is_unknown value)
+      | exception Beyond _ -> true)
 
 (* Of each property the last value. *)
 let last properties =
@@ -269,11 +301,9 @@ let painted style paint opacity ~gradient =
 
 let stroke style ~length =
   let width = length style.width in
-  if Rat.sign width < 0 then bad "a stroke-width below 0";
   if Rat.sign width = 0 then None
   else begin
     let lengths = List.map length style.dashes in
-    if List.exists (fun q -> Rat.sign q < 0) lengths then bad "a stroke-dasharray with a length below 0";
     let solid = List.for_all (fun q -> Rat.sign q = 0) lengths in
     let doubled = if List.length lengths land 1 = 1 then lengths @ lengths else lengths in
     if style.own.fixed_width then unread "the vector-effect of strokes";

@@ -42,8 +42,8 @@ val of_properties : t -> (string * string) list -> t
     {!Svg_number.Unread}. *)
 
 val is_valid : string -> string -> bool
-(** [is_valid property value] is false for a value that CSS ignores for sure: a single word that is none of the
-    property's, or digits that are no colour. It is true for what is not read, but has a meaning. *)
+(** [is_valid property value] is false for a value that CSS ignores for sure: one that is none of the property's.
+    It is true for what is not read, but has or may have a meaning. *)
 
 (** How opaque a gradient is: between two numbers, not at all, or as if it were not there. *)
 type gradient = Between of Rat.t * Rat.t | Unseen | Ignored

@@ -35,6 +35,7 @@ let of_attribute name values =
 let plain text =
   match with_unit text with
   | q, "" -> q
+  | _, "%" -> unread "shares (%%) in transforms"
   | _ -> bad "the number %S in a transform" text
 
 let angle text =
@@ -54,6 +55,9 @@ let distance text =
   | _, "%" -> unread "shares (%%) in transforms"
   | _ -> length text
 
+let skewed_by_css axis a =
+  match Plane_map.skewing axis a with Some m -> m | None -> unread "a skew by a right angle"
+
 let of_css name values =
   match (String.lowercase_ascii name, values) with
   | "matrix", [ a; b; c; d; e; f ] -> matrix (plain a) (plain b) (plain c) (plain d) (plain e) (plain f)
@@ -65,8 +69,8 @@ let of_css name values =
   | "scalex", [ x ] -> Plane_map.scaling (plain x) Rat.one
   | "scaley", [ y ] -> Plane_map.scaling Rat.one (plain y)
   | "rotate", [ a ] -> rotated (angle a)
-  | ("skew" | "skewx"), [ a ] -> skewed `X (angle a)
-  | "skewy", [ a ] -> skewed `Y (angle a)
+  | ("skew" | "skewx"), [ a ] -> skewed_by_css `X (angle a)
+  | "skewy", [ a ] -> skewed_by_css `Y (angle a)
   | _ -> unread "the transform %S with %d values in a style" name (List.length values)
 
 (* {1 Lists of them} *)
@@ -128,16 +132,32 @@ let origin ~css ~size:(w, h) text =
   | [ x; y; z ] when Rat.sign (length z) = 0 -> pair x y
   | _ -> fault ()
 
+let of_style text = functions text (fun name values -> of_css name (arguments values))
+
+let boxes =
+  [
+    "content-box"; "border-box"; "fill-box"; "stroke-box"; "view-box"; "inherit"; "initial"; "unset"; "revert";
+    "revert-layer";
+  ]
+
+let is_valid name text =
+  let text = String.lowercase_ascii text in
+  let check () =
+    match name with
+    | _ when List.mem text [ "inherit"; "initial"; "unset"; "revert"; "revert-layer" ] -> ()
+    | "transform" -> if String.trim text = "" then bad "no transform" else ignore (of_style text)
+    | "transform-origin" -> ignore (origin ~css:true ~size:(Rat.one, Rat.one) text)
+    | _ -> if not (List.mem text boxes || String.contains text '(') then bad "the transform-box %S" text
+  in
+  match check () with () | (exception Unread _) -> true | exception Bad _ -> false
+
 let of_properties ~size properties =
   let last names = List.find_opt (fun (name, _) -> List.mem name names) (List.rev properties) in
   let map =
     match last [ "transform"; "css transform" ] with
     | None -> Plane_map.identity
     | Some ("transform", text) -> of_text text
-    | Some (_, text) -> functions text (fun name values -> of_css name (arguments values))
-  in
-  let boxes =
-    [ "content-box"; "border-box"; "fill-box"; "stroke-box"; "view-box"; "inherit"; "initial"; "unset" ]
+    | Some (_, text) -> of_style text
   in
   (* Without a transform the origin and the box matter nothing; they are to have values all the same. *)
   let moves = not (Plane_map.is_identity map) in

@@ -173,7 +173,7 @@ let refused () =
   is "SC0341" "markers of corners, without one at the end"
     "<path marker-mid='url(#m)' marker-end='none' d='M0 0H9V9z'/>";
   is "SC0341" "a colour of the system" (rect "fill='ButtonText'");
-  is "SC0341" "a function" (rect "fill='lab(1 2 3)'");
+  is "SC0341" "a function" (rect "fill='color-mix(in srgb, red, blue)'");
   is "SC0340" "a colour" (rect "fill='#12345'");
   is "SC0340" "a colour of five numbers" (rect "fill='rgb(1,2,3,4,5)'");
   is "SC0340" "a width below 0" (rect "stroke='red' stroke-width='-1'");

@@ -51,10 +51,17 @@ let texts () =
       ("SC0341", left "" ^ "<text><textPath href='#a'/></text>"); ("SC0341", left "" ^ "<tspan/>");
     ]
 
+let inner ratio =
+  Printf.sprintf "<svg viewBox='0 0 20 10' width='20' height='10' preserveAspectRatio='%s'>%s</svg>" ratio
+    (left "")
+
 let numbers () =
   List.iter check
     [
       ("left", "<rect width='10.' height='10.'/>"); ("left", "<rect width='10.px' height='+10.'/>");
+      ("left", inner "defer xMidYMid");
+      ("left", inner "defer none meet");
+      ("SC0340", inner "defer");
       ("right", right "opacity='1.'"); ("left", "<path stroke='red' stroke-width='10.' d='M0 5H10.'/>");
       ("SC0340", "<rect width='.' height='10'/>"); ("SC0340", "<rect width='10..' height='10'/>");
       ("SC0340", left "style='opacity:1.'"); ("SC0340", "<style>rect{stroke-width:1.px}</style>" ^ left "");
@@ -72,14 +79,41 @@ let blocks () =
   drawn "fill:black;fill:color(display-p3 0 0 0)"; none "visibility:hidden;visibility:bogus"; none
     "opacity:0;opacity:bogus";
   none "fill:none;stroke:red;stroke-width:0;stroke-width:bogus"; none "fill:none!important;fill:bogus";
+  (* Each has a value that CSS ignores. *)
+  List.iter (fun value -> none ("fill:none;fill:" ^ value))
+    [
+      "rgb(1,2)"; "rgb(10%,20,30%)"; "rgb(1 2 3 4)"; "rgb(1,2,3/1)"; "rgb(none,0,0)"; "rgb(1 2 3) x";
+      "hsl(120,50,50)";
+      "hsl(1px 1% 1%)"; "hwb(120,10%,10%)"; "hwb(120 10%)"; "lab(1,2,3)"; "lch(1 2 3%)"; "oklab(1 2)";
+      "color(foo 1 0 0)"; "color(srgb 1 0)"; "color(srgb,1,0,0)"; "red blue"; "12"; "red !ie";
+    ];
+  List.iter none
+    [
+      "opacity:0;opacity:.5."; "opacity:0;opacity:1."; "opacity:0;opacity:1 1"; "opacity:0;opacity:5px";
+      "fill:none;stroke:red;stroke-width:0;stroke-width:-3"; "fill:none;stroke:red;stroke-width:0;stroke-width:1x";
+      "display:none;display:inlin"; "display:none;display:5"; "visibility:hidden;visibility:visible hidden";
+      "transform:scale(0);transform:rotate(30)"; "transform:scale(0);transform:none none";
+    ];
+  (* And these have one that may have a meaning, or has one for sure. *)
+  List.iter (fun value -> unread ("fill:none;fill:" ^ value))
+    [
+      "rgb(calc(1) 2 3)"; "rgb(from red r g b)"; "rgb(var(--a))"; "color-mix(in srgb, red, blue)"; "-moz-red";
+      "rgb(1e99 2 3)"; "color(xyz 0 0 0)"; "color(--own 1 2 3)"; "device-cmyk(0 0 0 0)"; "canvas"; "foo(1)";
+    ];
+  List.iter unread
+    [
+      "opacity:0;opacity:calc(1)"; "stroke:red;stroke-width:0;stroke-width:1lh"; "display:none;display:contents";
+      "display:none;display:inline flow"; "display:none;display:-webkit-box";
+      "transform:scale(0);transform:skewX(90deg)"; "transform:scale(0);transform:scale(50%)";
+    ];
   unread "fill:bogus"; unread "fill:none;stroke:bogus"; unread "fill:bogus;stroke:none"; bad "fill:#12345";
   List.iter unread
     [
-      "fill:none;fill:ButtonText"; "fill:none;fill:lab(1 2 3)"; "fill:none;fill:context-fill";
+      "fill:none;fill:ButtonText"; "fill:none;fill:context-fill";
       "fill:none;fill:-mine"; "opacity:1;opacity:inherit";
       "overflow:visible;overflow:overlay"; "mask:none;mask:url(#m)";
     ];
-  bad "fill:none;fill:rgb(1,2)"; bad "stroke-miterlimit:4;stroke-miterlimit:.5";
+  bad "fill:rgb(1,2)"; bad "stroke-miterlimit:4;stroke-miterlimit:.5";
   check ("SC0341", "<style>rect{fill:none}</style>" ^ left "style='fill:bogus'");
   check ("SC0341", left "fill='bogus'")
 
@@ -96,10 +130,15 @@ let colours () =
     "#CD853F icc-color(acmecmyk, 0.11, 0.48, 0.83, 0.00)";
   colour "#ff0000" "oklch(0.62796 0.25768 29.234)"; colour "#ff0000" "oklab(62.796% 0.22486 0.12585)";
   colour "none" "oklch(60% 0.1 30deg / 40%)";
+  colour "#ff0000" "hwb(0 0% 0%)"; colour "#99cc99" "hwb(120deg 60% 20%)"; colour "#808080" "hwb(7 60% 60%)";
+  colour "#00cc80" "hwb(157.6 0 20 / 1)"; colour "none" "hwb(none 0 none / .2)";
+  colour "#ffffff" "lab(100 0 0)"; colour "#777777" "lab(50% none 0)"; colour "#ff0000" "lab(54.29 80.82 69.89)";
+  colour "#008000" "lab(46.278 -47.552 48.583)"; colour "#008000" "lch(46.278 67.98 134.386)";
+  colour "#0000ff" "lch(29.57% 87.54% 301.37)"; colour "#000000" "lch(0 0 0)";
   colour "#ff0000" "red  icc-color(x)";
   let refused expected value = check (expected, left (Printf.sprintf "fill='%s'" value)) in
   refused "SC0341" "color(rec2020 1 1 1)"; refused "SC0340" "color(srgb 1 1)"; refused "SC0340" "oklch(1, 1, 1)";
-  refused "SC0341" "lab(1 2 3)"; refused "SC0341" "icc-color(x, 1)"
+  refused "SC0340" "lab(1, 2, 3)"; refused "SC0341" "icc-color(x, 1)"
 
 (* What is left out, with a warning at its place. *)
 let warnings () =

@@ -38,6 +38,8 @@ let named =
       ([ "g f1\n"; "g\n"; "g f0\n"; "g v1\n" ], "f1 f1_ f0 f3");
       ([ "g x.y-z\n"; "g 4th\n"; "g \xC3\xA9\n"; "g _\n" ], "x_y_z g4th g__ g_");
       ([ "g side\n"; ""; "g side0\n"; "g t\n" ], "f0 side1 side0 t");
+      ([ "g process\n"; "g bond\n"; "g on\n"; "o only\n" ], "gprocess bond gon gonly");
+      ([ "g process\n"; "g gprocess\n"; "g nil\n"; "" ], "f0 gprocess nil0 nil1");
     ]
   @ [
     ( "t.x3d",

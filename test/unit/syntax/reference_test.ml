@@ -38,6 +38,21 @@ let words () =
   in
   Alcotest.(check (list string)) "words" (List.map fst Lexer.words) (List.sort String.compare listed)
 
+(* A face can be declared, and named in a channel, if its name is not reserved. *)
+let names_of_faces () =
+  let reads word =
+    let text =
+      Printf.sprintf
+        "shape S { vertices v (0, 0, 0) faces %s [v, v, v] f [v, v, v] }\nbehaviour B on S = <a, {%s}>. nil\n"
+        word word
+    in
+    Result.is_ok (Parse.parse (Scc_base.Source.make ~name:"t.sc" text))
+  in
+  let check (word, _) =
+    Alcotest.(check bool) word (reads word) (not (Scc_base.Language_words.is_reserved word))
+  in
+  List.iter check Lexer.words
+
 let says what () = if not (Support.contains reference what) then Alcotest.failf "`%s` is not told" what
 
 let grouped n =
@@ -77,7 +92,11 @@ let suite =
   ("language reference",
    [
      ("examples", examples);
-     ("words", [ Alcotest.test_case "the list of words" `Quick words ]);
+     ( "words",
+       [
+         Alcotest.test_case "the list of words" `Quick words;
+         Alcotest.test_case "names of faces" `Quick names_of_faces;
+       ] );
      ("limits", limits);
      ("precedence", precedence);
    ])
