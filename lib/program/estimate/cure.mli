@@ -12,4 +12,4 @@ val of_outcome :
     bound on states, seconds or memory, or an interruption, kept it from being known: an interval, one end, or
     nothing unless the number is kept within bounds. Runs begin in the state [from]. It is [None] for a probability
     that is compared with 0 or 1, which samples decide on one side only. Where the model has parameters with
-    ranges, or is asked about for all values of [parameter] (rule Parametric), the advice is about single values. *)
+    ranges, or is asked about for all values of [parameter] (rule Parametric), the advice is for single values. *)
