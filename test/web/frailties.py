@@ -1,6 +1,7 @@
 """Pages that are not whole, tiny bodies, refused formulas and reasons that are told once."""
 import json
 import re
+import time
 from urllib.parse import unquote
 
 from browser import Keys
@@ -11,6 +12,15 @@ CUBES = """import <solids>
 process a = solids.Cube({0}) mass 1 velocity ({0}, 0, 0) [nil]
 process b = solids.Cube({0}) mass 1 at translate (3*{0}, {0}, 0) [nil]
 """
+
+
+def still(b, script):
+    """What a script gives once the camera has arrived, however busy the machine is."""
+    found, before = b.js(script), None
+    while found != before:
+        time.sleep(0.3)
+        found, before = b.js(script), found
+    return found
 
 
 def tiny(b, scc):
@@ -26,7 +36,7 @@ def tiny(b, scc):
         b.keys('z', 'z', 'z')
         b.find('fit').click()
         b.js('return new Promise((done) => setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(done)), 500))')
-        again = b.js(sight)
+        again = still(b, sight)
         camera = json.loads(unquote(b.js('return scc.link()').split('camera=', 1)[1].split('&')[0]))
         pictures.append((k, first, again, camera['distance'] * 10.0 ** k, b.js(ink)))
     _, first, again, distance, size = pictures[0]

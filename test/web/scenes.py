@@ -221,6 +221,7 @@ def beyond(b, scc):
     told = at('2')
     check('a difference after the end of the run is told', 'after the end of what is shown of this run' in told['words'], told['words'])
     same('no button leads there', len(b.all('[data-testid="compare-difference"]')), 0)
+    b.wait('return document.querySelector("[data-testid=live]").textContent.includes("time 2")')
     b.keys('j')
     same('and no key', (b.state()['time'], b.text('live')), ('2', told['words']))
     at = both('rich', 'ruined')
