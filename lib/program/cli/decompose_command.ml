@@ -39,8 +39,9 @@ let diagnostics ~union (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list 
       | Pieces (Apart _ | Island _) ->
         Some "each of several solids needs a file of its own, or add --union for all of them"
       | Pieces (Outward _) -> Some "to mend it, add --orient"
-      (* Of faces that are there from both sides no volume is left. *)
-      | Nothing -> Some (if Rat.sign (Drawn.volume set) < 0 then "to mend it, add --orient" else Flat_mesh.cure)
+      | Inside_out { whole = true; _ } -> Some "to mend it, add --orient"
+      | Inside_out { whole = false; _ } -> Some "turn that part over in the program that made the mesh"
+      | Nothing -> Some (Mend_options.of_nothing set)
       | Unsound (Cut _) when not union -> Some "if solids overlap there, add --union"
       | Too_many most when most < greatest -> Some "--parts sets how many there may be"
       | Unsound (Structure _ | Cut _) | Too_many _ -> None
