@@ -448,3 +448,38 @@ Faces are there from both sides; `--weld` takes one of both:
     hint: to mend it, add --weld: each face is there from both sides
   $ scc decompose --union --weld sides.off | sed -n 2p
   sides.off: 6 plane faces, 0 reflex edges, volume 1
+
+Two boxes that share a face, one of them inside out, need no welding, and stay two boxes with it:
+
+  $ boxes 000:111 -100:211 > shared.off; scc decompose shared.off 2>&1 | tail -n 1
+    hint: each of several pieces is closed; for all of them: scc decompose --union --orient
+  $ scc shape shared.off | tail -n 1
+  each of several pieces is closed; for all of them: scc decompose --union --orient
+  $ for more in '' --weld; do scc decompose --union --orient $more shared.off | grep 'edges, volume'; done
+  shared.off: 6 plane faces, 0 reflex edges, volume 2
+  shared.off: 6 plane faces, 0 reflex edges, volume 2
+  $ scc decompose --weld shared.off 2>&1 | tail -n 1
+    hint: as they are in the file, each of several pieces is closed; for all of them: scc decompose --union --orient
+
+A solid of two heights: corners of one face are within edges of another one, and stay corners. `--merge` puts them
+there, and `--orient` comes after that:
+
+  $ sed 's/  /\n/g' > step.off <<'END'
+  > OFF  14 10 0
+  > 0 0 0  1 0 0  2 0 0  2 1 0  1 1 0  0 1 0  1 0 1  2 0 1  2 1 1  1 1 1  0 0 2  1 0 2  1 1 2  0 1 2
+  > 6 5 4 3 2 1 0  4 0 1 11 10  4 1 2 7 6  4 2 3 8 7  4 7 8 9 6  4 6 9 12 11  4 10 11 12 13  4 5 13 12 4
+  > 4 4 9 8 3  4 0 10 13 5
+  > END
+  $ scc decompose step.off 2>&1 | tail -n 1
+    hint: to mend it, add --merge
+  $ scc decompose --merge step.off | head -n 2
+  merged: 10 faces became 8; 2 faces took in corners of others
+  step.off: 8 plane faces, 1 reflex edge, volume 3
+  $ sed 's/4 2 3 8 7/4 7 8 3 2/; s/4 0 1 11 10/4 10 11 1 0/' step.off > over.off
+  $ scc decompose --merge --orient over.off | head -n 3
+  oriented: 2 faces turned over: f1, f3
+  merged: 10 faces became 8; 2 faces took in corners of others
+  over.off: 8 plane faces, 1 reflex edge, volume 3
+  $ echo 'compound C = decompose "over.off" orient merge mass 1  process p = C at translate (0,0,0) [nil]' > step.sc
+  $ scc check step.sc | tail -n 1
+  no properties to check

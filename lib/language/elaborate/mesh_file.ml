@@ -47,6 +47,8 @@ let flat report (path : string Ast.loc) set =
 (* Faces that surround nothing stay as they are, so that their faults are found where those of all shapes are. *)
 let union_hint set (m : Ast.mending) (fault : Decomposed.fault) =
   match fault with
+  | Inside_out _ when (not m.weld) && Oriented.pieces set = 0 ->
+    Some "write `weld` and `orient` after the file: faces that share vertices are turned over to look outward"
   | Inside_out { whole = true; _ } when not m.orient ->
     Some "write `orient` after the file: faces are turned over so that all look out of the solid"
   | Nothing when (not m.weld) && Mended.one_side_each set ->

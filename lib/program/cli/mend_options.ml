@@ -87,6 +87,17 @@ let all_helping set faults =
   let closing = closing set faults in
   closing @ List.filter (fun t -> not (List.mem t closing)) (helping set faults)
 
+(* A piece is closed if its faces share vertices. *)
+let of_inside_out set =
+  let helps =
+    match Oriented.make set with
+    | Ok t -> Result.is_ok (United.surface ~tick:ignore t.set)
+    | Error _ -> false
+  in
+  if helps then "to mend it, add --orient"
+  else if Oriented.pieces set = 0 then "to mend it, add --weld --orient"
+  else "turn that part over in the program that made the mesh"
+
 let of_nothing set =
   if Mended.one_side_each set then "to mend it, add --weld: each face is there from both sides" else Flat_mesh.cure
 

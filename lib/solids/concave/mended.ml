@@ -31,7 +31,7 @@ let apply o set =
       (set, [ ("grid", line) ])
   in
   let wanted by step set = if by then step set else Ok (set, []) in
-  let first = o.weld && o.orient && Oriented.are_closed set in
+  let first = o.weld && o.orient && Oriented.pieces set > 0 in
   let* set, early = wanted first orient set in
   let* set, welded = wanted o.weld (fun set -> Ok (weld set)) set in
   let set, taken = if o.merge then Fitted.make set else (set, 0) in

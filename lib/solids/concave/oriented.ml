@@ -87,7 +87,12 @@ let hollows (set : Polyhedron.ifs) pieces =
       List.iter (fun count -> List.iter (fun (k, m) -> if m > 0 then own.(k) <- count :: own.(k)) count) places;
       let within k l = boxed pieces.(k) pieces.(l) && List.for_all (fun count -> has count l) own.(k) in
       let depth = Array.init n (fun k -> List.length (List.filter (within k) (others k))) in
-      let crossing k = depth.(k) = 0 && pieces.(k).inward in
+      let same k l =
+        Rat.equal pieces.(k).volume pieces.(l).volume && List.for_all (fun count -> has count l) own.(k)
+      in
+      let crossing k =
+        depth.(k) = 0 && pieces.(k).inward && not (List.exists (same k) (others k))
+      in
       let solid = Array.init n (fun k -> depth.(k) land 1 = 0 && not (crossing k)) in
       let decide k =
         let covered count = List.exists (fun (l, m) -> l <> k && m > 0 && solid.(l)) count in
@@ -127,10 +132,10 @@ let make (set : Polyhedron.ifs) =
       }
   end
 
-let are_closed set =
+let pieces set =
   match Mend.consistent set with
-  | Ok { closed; turned } -> List.fold_left (fun n p -> n + List.length p) 0 closed = Array.length turned
-  | Error _ -> false
+  | Error _ -> 0
+  | Ok found -> if Mend.all_closed found then List.length found.closed else 0
 
 let max_named = 6
 

@@ -15,13 +15,13 @@ val make : Polyhedron.ifs -> (t, string) result
       lies within another one of greater volume if the latter surrounds all that the former does. Both may have
       points of the surface in common.
     - Any other piece is a solid. But it stays a hollow if it is one to begin with, and others together surround
-      all that it surrounds.
+      all that it surrounds. A copy of another one is no hollow of it.
 
     Where faces cross themselves, boxes tell what is within what. [Error]: a surface of one side, or more than 1000
     pieces. *)
 
-val are_closed : Polyhedron.ifs -> bool
-(** True if all faces are in closed pieces. *)
+val pieces : Polyhedron.ifs -> int
+(** The number of pieces if all are closed; 0 if some are not. *)
 
 val told : t -> string
 (** A sentence on what was turned over. *)

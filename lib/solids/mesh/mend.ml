@@ -157,9 +157,33 @@ let is_closed edges turned =
     Hashtbl.iter (look piece) edges;
     fun p -> not (Hashtbl.mem open_ p)
 
-let consistent (set : Polyhedron.ifs) =
+(* Two faces with the same corners, which solids share, or a solid and its hollow: the second one with the first. *)
+let shared_faces (set : Polyhedron.ifs) =
+  let known = Hashtbl.create 64 in
+  let enter f (_, c) =
+    let key = List.sort Int.compare (Array.to_list c) in
+    Hashtbl.replace known key (f :: Option.value ~default:[] (Hashtbl.find_opt known key))
+  in
+  Array.iteri enter set.ifs_faces;
+  let pair f g =
+    let key k = Twice.from_least (snd set.ifs_faces.(k)) in
+    let turned = Twice.from_least (reversed (snd set.ifs_faces.(g))) in
+    if key f = turned then Some (f, g, false) else if key f = key g then Some (f, g, true) else None
+  in
+  let look _ faces all = match faces with [ g; f ] -> Option.to_list (pair f g) @ all | _ -> all in
+  List.sort compare (Hashtbl.fold look known [])
+
+let neighbours_agree (set : Polyhedron.ifs) shared =
   let n = Array.length set.ifs_faces in
   let beside = Array.make n [] and edges = edges_of set in
+  let apart = Array.make n false in
+  List.iter
+    (fun (f, g, _) ->
+       apart.(f) <- true;
+       apart.(g) <- true)
+    shared;
+  if shared <> [] then
+    Hashtbl.filter_map_inplace (fun _ at -> Some (List.filter (fun (f, _) -> not apart.(f)) at)) edges;
   let join _ = function
     | [ (f, along); (g, along') ] when f <> g ->
       let differ = Bool.equal along along' in
@@ -188,6 +212,12 @@ let consistent (set : Polyhedron.ifs) =
       List.iter visit beside.(f)
     done
   in
+  let share (f, g, over) =
+    piece.(f) <- f;
+    piece.(g) <- f;
+    turned.(g) <- over
+  in
+  List.iter share shared;
   for f = 0 to n - 1 do
     if piece.(f) < 0 then follow f
   done;
@@ -204,6 +234,17 @@ let consistent (set : Polyhedron.ifs) =
     let firsts = List.filter (fun f -> piece.(f) = f && closed f) (List.init n Fun.id) in
     Ok { turned; closed = List.map (fun f -> members.(f)) firsts }
   end
+
+let all_closed found = List.fold_left (fun n p -> n + List.length p) 0 found.closed = Array.length found.turned
+
+(* Without the faces that they share, solids are closed together. *)
+let consistent set =
+  match shared_faces set with
+  | [] -> neighbours_agree set []
+  | shared -> (
+      match neighbours_agree set shared with
+      | Ok found when all_closed found -> Ok found
+      | Ok _ | Error _ -> neighbours_agree set [])
 
 (* {1 Merge} *)
 

@@ -34,9 +34,13 @@ type consistent = {
       turned over. Faces and pieces are in order. *)
 }
 
+val all_closed : consistent -> bool
+(** True if all faces are in closed pieces. *)
+
 val consistent : Polyhedron.ifs -> (consistent, string) result
 (** A piece is faces that are connected by edges of exactly two faces. They are turned over so that any two
-    neighbours agree with the first face of their piece. [Error]: a surface like a Möbius strip, with a face at
+    neighbours agree with the first face of their piece. Two faces with the same corners are a piece by themselves,
+    if all pieces are closed then. [Error]: a surface like a Möbius strip, with a face at
     which it was found. *)
 
 val merge : Polyhedron.ifs -> Polyhedron.ifs * string
