@@ -115,14 +115,14 @@ let of_several ?union (set : Polyhedron.ifs) =
   else
     with_union (fun union -> Shared_face.advice ~union:(union ~orient:false) set)
     <|> fun () ->
-    if not tried then None
-    else
-      let edges = edges set in
-      let crowded (_, faces) = List.compare_length_with faces 2 > 0 in
-      let crowded = List.exists crowded edges in
-      with_union (fun union -> if crowded then shared_edge ~union set edges else None)
-      <|> (fun () -> if crowded then wall set edges else None)
-      <|> fun () -> with_union (fun union -> closed_pieces ~union set)
+      if not tried then None
+      else
+        let edges = edges set in
+        let crowded (_, faces) = List.compare_length_with faces 2 > 0 in
+        let crowded = List.exists crowded edges in
+        with_union (fun union -> if crowded then shared_edge ~union set edges else None)
+        <|> (fun () -> if crowded then wall set edges else None)
+        <|> fun () -> with_union (fun union -> closed_pieces ~union set)
 
 let advice ?union set =
   match Flat_mesh.advice set with Some _ as flat -> flat | None -> of_several ?union set

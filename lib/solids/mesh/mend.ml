@@ -157,7 +157,8 @@ let is_closed edges turned =
     Hashtbl.iter (look piece) edges;
     fun p -> not (Hashtbl.mem open_ p)
 
-(* Two faces with the same corners, which solids share, or a solid and its hollow: the second one with the first. *)
+(* Two faces with the same corners, which solids share, or a solid and its hollow: the second one with the first.
+*)
 let shared_faces (set : Polyhedron.ifs) =
   let known = Hashtbl.create 64 in
   let enter f (_, c) =
