@@ -97,7 +97,9 @@ let finish r element =
         if not (is "ProtoInstance" tag || String.equal node.kind.text tag.name.text) then
           Scene.bad ~path:r.path tag.name "%s is the name of a node %s, and this is a %s" (quote name.text)
             node.kind.text tag.name.text;
-        match (fields r tag, List.rev element.inside) with
+        (* The DTD wants the name of the prototype there too. *)
+        let no_field ((w : word), _) = is "ProtoInstance" tag && String.equal w.text "name" in
+        match (List.filter (fun f -> not (no_field f)) (fields r tag), List.rev element.inside) with
         | [], [] -> put r element role node
         | (w, _) :: _, _ | [], (w, _) :: _ ->
           Scene.bad ~path:r.path w "a node that is used again, by `USE`, has no fields of its own")
