@@ -45,12 +45,10 @@ let make (set : Polyhedron.ifs) =
       | 0 -> compare (apart w, w) (apart x, x)
       | order -> order
     in
-    let rec one_each = function
-      | w :: x :: rest when Homogeneous.equal (at w) (at x) -> one_each (w :: rest)
-      | w :: rest -> w :: one_each rest
-      | [] -> []
+    let one_each kept w =
+      match kept with x :: _ when Homogeneous.equal (at w) (at x) -> kept | _ -> w :: kept
     in
-    u :: one_each (List.sort order !found)
+    u :: List.rev (List.fold_left one_each [] (List.sort order !found))
   in
   let taken = ref 0 in
   let face f (name, corners) =

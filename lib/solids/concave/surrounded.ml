@@ -69,10 +69,7 @@ let total count = List.fold_left (fun sum (_, n) -> sum + n) 0 count
 
 let of_pieces pieces count =
   let by_piece = List.sort compare (List.map (fun (k, n) -> (pieces.(k), n)) count) in
-  let rec sums = function
-    | (p, n) :: (q, m) :: rest when Int.equal p q -> sums ((p, n + m) :: rest)
-    | (_, 0) :: rest -> sums rest
-    | one :: rest -> one :: sums rest
-    | [] -> []
+  let add sums (p, n) =
+    match sums with (q, m) :: rest when Int.equal p q -> (q, m + n) :: rest | _ -> (p, n) :: sums
   in
-  sums by_piece
+  List.filter (fun (_, n) -> n <> 0) (List.rev (List.fold_left add [] by_piece))

@@ -174,17 +174,21 @@ let shared_faces (set : Polyhedron.ifs) =
   let look _ faces all = match faces with [ g; f ] -> Option.to_list (pair f g) @ all | _ -> all in
   List.sort compare (Hashtbl.fold look known [])
 
-let neighbours_agree (set : Polyhedron.ifs) shared =
-  let n = Array.length set.ifs_faces in
-  let beside = Array.make n [] and edges = edges_of set in
-  let apart = Array.make n false in
-  List.iter
-    (fun (f, g, _) ->
-       apart.(f) <- true;
-       apart.(g) <- true)
-    shared;
+(* The faces at each edge, without some faces. *)
+let edges_without shared (set : Polyhedron.ifs) =
+  let edges = edges_of set and apart = Array.map (fun _ -> false) set.ifs_faces in
+  let leave (f, g, _) =
+    apart.(f) <- true;
+    apart.(g) <- true
+  in
+  List.iter leave shared;
   if shared <> [] then
     Hashtbl.filter_map_inplace (fun _ at -> Some (List.filter (fun (f, _) -> not apart.(f)) at)) edges;
+  edges
+
+let neighbours_agree (set : Polyhedron.ifs) shared =
+  let n = Array.length set.ifs_faces in
+  let beside = Array.make n [] and edges = edges_without shared set in
   let join _ = function
     | [ (f, along); (g, along') ] when f <> g ->
       let differ = Bool.equal along along' in

@@ -164,9 +164,13 @@ let name_of (e : Scene.elsewhere) url =
 (* The values of fields are read before a body is, and so this one is around the place where it is read again. *)
 let once t (e : Scene.elsewhere) (key : string * string) body ~path kind ~depth fields =
   if List.mem key t.expanding then begin
-    let rec up_to = function (file, name) :: rest when (file, name) <> key -> name :: up_to rest | _ -> [] in
+    (* From the outer ones to the inner ones. *)
+    let rec up_to found = function
+      | other :: rest when other <> key -> up_to (Text.quote (snd other) :: found) rest
+      | _ -> found
+    in
     let way =
-      match List.rev_map Text.quote (up_to t.expanding) with
+      match up_to [] t.expanding with
       | [] -> ""
       | names -> ", by way of " ^ String.concat ", " names
     in
