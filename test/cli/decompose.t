@@ -372,7 +372,7 @@ So do triangles of faces that are not flat, with a warning:
 Faces that surround nothing, and no faces:
 
   $ printf 'OFF\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n' > flat.off; scc decompose --union flat.off
-  error[SC0301]: the faces surround nothing: each is there from both sides, or is turned inward
+  error[SC0301]: the faces surround nothing: each is there from both sides
     hint: a sheet bounds no solid: give it a thickness in the program that made it
   [3]
   $ printf 'OFF\n0 0 0\n' > empty.off; scc decompose --union empty.off
@@ -396,3 +396,90 @@ A model says the same of a mesh, in its own words:
     hint: solids have an edge in common, from v2 to v6; for all of them: write `union` after the file
     hint: all corners are in one plane; a sheet bounds no solid: give it a thickness in the program that made it
     hint: all corners are in one plane; a sheet bounds no solid: give it a thickness in the program that made it
+
+A solid that is inside out, and is no hollow, is refused; `--orient` turns it over. Here the second of two boxes that
+overlap:
+
+  $ boxes() { python3 - "$@" <<'END'
+  > import sys
+  > places, faces = [], []
+  > for text in sys.argv[1:]:
+  >     low, high = [list(map(int, word)) for word in text.lstrip("-").split(":")]
+  >     first = len(places)
+  >     places += [[(low, high)[k >> axis & 1][axis] for axis in range(3)] for k in range(8)]
+  >     for face in [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]:
+  >         faces.append([first + k for k in (face[::-1] if text[0] == "-" else face)])
+  > print("OFF", len(places), len(faces), 0)
+  > for row in places + [[len(face), *face] for face in faces]:
+  >     print(*row)
+  > END
+  > }
+  $ boxes 000:222 -100:422 > half.off; scc decompose --union half.off
+  error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is around them
+    hint: to mend it, add --orient
+  [3]
+  $ scc decompose --union --orient half.off | head -n 2
+  oriented: 6 faces turned over: f6, f7, f8, f9, f10, f11
+  half.off: 6 plane faces, 0 reflex edges, volume 16
+  $ echo 'compound C = decompose "half.off" union mass 1' > half.sc; scc check half.sc 2>&1 | grep -v '|'
+  half.sc:1:24: error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is around them
+    hint: write `orient` after the file: faces are turned over so that all look out of the solid
+  $ echo 'shape C = mesh "half.off" union' > half.sc; scc check half.sc 2>&1 | grep -v '|'
+  half.sc:1:16: error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is around them
+    hint: write `orient` after the file: faces are turned over so that all look out of the solid
+  $ boxes -000:111 500:611 > lone.off; scc decompose --union lone.off 2>&1 | head -n 1
+  error[SC0309]: `f0` and the faces around it are turned inward, and are no hollow: no solid is around them
+
+Two hollows may overlap. One within a solid stays one, also where both touch:
+
+  $ boxes 000:444 -111:332 -112:333 -122:233 > hollows.off; scc decompose --union hollows.off | head -n 1
+  hollows.off: 12 plane faces, 12 reflex edges, volume 56
+  $ boxes 000:444 -111:334 > open.off; scc decompose --union open.off | head -n 1
+  open.off: 11 plane faces, 8 reflex edges, volume 52
+  $ for more in '' --weld; do scc decompose --union --orient $more open.off | grep -e oriented -e volume | head -n 2; done
+  oriented: no face had to be turned over; within other pieces, and so hollows: the pieces of f6
+  open.off: 11 plane faces, 8 reflex edges, volume 52
+  oriented: no face had to be turned over; within other pieces, and so hollows: the pieces of f6
+  open.off: 11 plane faces, 8 reflex edges, volume 52
+
+Faces are there from both sides; `--weld` takes one of both:
+
+  $ boxes 000:111 -000:111 > sides.off; scc decompose --union sides.off 2>&1 | tail -n 1
+    hint: to mend it, add --weld: each face is there from both sides
+  $ scc decompose --union --weld sides.off | sed -n 2p
+  sides.off: 6 plane faces, 0 reflex edges, volume 1
+
+Two boxes that share a face, one of them inside out, need no welding, and stay two boxes with it:
+
+  $ boxes 000:111 -100:211 > shared.off; scc decompose shared.off 2>&1 | tail -n 1
+    hint: each of several pieces is closed; for all of them: scc decompose --union --orient
+  $ scc shape shared.off | tail -n 1
+  each of several pieces is closed; for all of them: scc decompose --union --orient
+  $ for more in '' --weld; do scc decompose --union --orient $more shared.off | grep 'edges, volume'; done
+  shared.off: 6 plane faces, 0 reflex edges, volume 2
+  shared.off: 6 plane faces, 0 reflex edges, volume 2
+  $ scc decompose --weld shared.off 2>&1 | tail -n 1
+    hint: as they are in the file, each of several pieces is closed; for all of them: scc decompose --union --orient
+
+A solid of two heights: corners of one face are within edges of another one, and stay corners. `--merge` puts them
+there, and `--orient` comes after that:
+
+  $ sed 's/  /\n/g' > step.off <<'END'
+  > OFF  14 10 0
+  > 0 0 0  1 0 0  2 0 0  2 1 0  1 1 0  0 1 0  1 0 1  2 0 1  2 1 1  1 1 1  0 0 2  1 0 2  1 1 2  0 1 2
+  > 6 5 4 3 2 1 0  4 0 1 11 10  4 1 2 7 6  4 2 3 8 7  4 7 8 9 6  4 6 9 12 11  4 10 11 12 13  4 5 13 12 4
+  > 4 4 9 8 3  4 0 10 13 5
+  > END
+  $ scc decompose step.off 2>&1 | tail -n 1
+    hint: to mend it, add --merge
+  $ scc decompose --merge step.off | head -n 2
+  merged: 10 faces became 8; 2 faces took in corners of others
+  step.off: 8 plane faces, 1 reflex edge, volume 3
+  $ sed 's/4 2 3 8 7/4 7 8 3 2/; s/4 0 1 11 10/4 10 11 1 0/' step.off > over.off
+  $ scc decompose --merge --orient over.off | head -n 3
+  oriented: 2 faces turned over: f1, f3
+  merged: 10 faces became 8; 2 faces took in corners of others
+  over.off: 8 plane faces, 1 reflex edge, volume 3
+  $ echo 'compound C = decompose "over.off" orient merge mass 1  process p = C at translate (0,0,0) [nil]' > step.sc
+  $ scc check step.sc | tail -n 1
+  no properties to check

@@ -186,13 +186,13 @@ A solid inside out is turned over as a whole. What is within another solid is a 
   inward.off
   vertices: 4, edges: 6, faces: 4
   $ scc shape --orient hollow.off | head -1
-  oriented: no face had to be turned over; what may be cavities stays inside out: the pieces of f4
+  oriented: no face had to be turned over; within other pieces, and so hollows: the pieces of f4
   $ sed 's/^\(3 [4567]\) \([4567]\) \([4567]\)$/\1 \3 \2/' hollow.off > outward.off && scc decompose outward.off
   error[SC0375]: `f4` and the faces around it are within the solid, but turned outward: those of a hollow look into it
     hint: to mend it, add --orient
   [3]
   $ scc decompose --orient outward.off | head -2
-  oriented: no face had to be turned over; then turned over, by what is within what: the pieces of f4
+  oriented: 4 faces turned over: f4, f5, f6, f7; within other pieces, and so hollows: the pieces of f4
   outward.off: 8 plane faces, 6 reflex edges, volume 485149/3
   $ scc decompose hollow.off | head -1
   hollow.off: 8 plane faces, 6 reflex edges, volume 485149/3
@@ -358,7 +358,7 @@ are merged.
   $ scc decompose notched.off 2>&1 | grep mend
     hint: to mend it, add --merge
   $ scc decompose --merge notched.off
-  merged: 21 faces became 8
+  merged: 21 faces became 8; 1 face took in corners of others
   notched.off: 8 plane faces, 1 reflex edge, volume 14
   2 convex parts, 1 joint
     p1: 8 corners, 6 faces, volume 7

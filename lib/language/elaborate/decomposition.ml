@@ -44,8 +44,8 @@ let hint (set : Polyhedron.ifs) file (fault : Decomposed.fault) =
     Some "write `union` after the file: solids that overlap, share faces or touch become one"
   | Pieces (Outward _), Some (_, m) when not m.orient ->
     Some "write `orient` after the file: faces are turned over so that all look out of the solid"
-  | Nothing, Some (_, m) when (not m.orient) && Rat.sign (Drawn.volume set) < 0 ->
-    Some "write `orient` after the file: faces are turned over so that all look out of the solid"
+  | (Inside_out _ | Nothing), Some (_, m) when Option.is_some (Mesh_file.union_hint set m fault) ->
+    Mesh_file.union_hint set m fault
   | Nothing, Some _ -> Some Flat_mesh.cure
   | Too_many _, Some _ -> Some "`scc decompose` with --parts and -o writes a compound of more parts"
   | _ -> None
@@ -72,6 +72,7 @@ let report (c : Context.t) solid (set : Polyhedron.ifs) fault =
   | Pieces (Apart (f, g) | Island (f, g)) ->
     told (Templates.face_span places f) ~notes:(also f g)
   | Pieces (Outward f) -> told (Templates.face_span places f)
+  | Inside_out { face; _ } -> told (Templates.face_span places face)
   | Nothing | Too_many _ -> told whole
 
 (* A compound is connected. *)

@@ -45,7 +45,17 @@ let flat report (path : string Ast.loc) set =
     flat
 
 (* Faces that surround nothing stay as they are, so that their faults are found where those of all shapes are. *)
-let united report (path : string Ast.loc) set =
+let union_hint set (m : Ast.mending) (fault : Decomposed.fault) =
+  match fault with
+  | Inside_out _ when (not m.weld) && Oriented.pieces set = 0 ->
+    Some "write `weld` and `orient` after the file: faces that share vertices are turned over to look outward"
+  | Inside_out { whole = true; _ } when not m.orient ->
+    Some "write `orient` after the file: faces are turned over so that all look out of the solid"
+  | Nothing when (not m.weld) && Mended.one_side_each set ->
+    Some "write `weld` after the file: each face is there from both sides, and one of them stays"
+  | _ -> None
+
+let united report (path : string Ast.loc) m set =
   let set = flat report path set in
   match Decomposed.united set with
   | Ok union ->
@@ -57,7 +67,7 @@ let united report (path : string Ast.loc) set =
   | Error (Unsound (Structure _)) -> Some set
   | Error fault ->
     let code, text = Decomposed.message set fault in
-    Report.error report code path.at "%s" text;
+    Report.error report code path.at ?hint:(union_hint set m fault) "%s" text;
     None
 
 let read report env ~read_file (path : string Ast.loc) (m : Ast.mending) =
@@ -73,4 +83,4 @@ let read report env ~read_file (path : string Ast.loc) (m : Ast.mending) =
   let*? tolerance = tolerance in
   let*? set = mended report path set { grid; weld = m.weld; orient = m.orient; merge = m.merge } in
   let*? set = match tolerance with None -> Some set | Some tolerance -> snapped report path set tolerance in
-  if m.union then united report path set else Some set
+  if m.union then united report path m set else Some set

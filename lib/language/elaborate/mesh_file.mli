@@ -17,3 +17,6 @@ val read :
 val flat : Report.t -> string Ast.loc -> Polyhedron.ifs -> Polyhedron.ifs
 (** [flat report path set] has triangles for the faces that are not flat. A warning at the path of the file says
     how far their corners are off a plane (SC0323). *)
+
+val union_hint : Polyhedron.ifs -> Ast.mending -> Scc_concave.Decomposed.fault -> string option
+(** The word after the file that mends faces of which there is no union, if there is one that is not there yet. *)

@@ -70,7 +70,13 @@ let report_fault (c : Context.t) ?mending ?cure places (ifs : Polyhedron.ifs) fa
 (* What can be done about a whole mesh is said once, as words of a model: with the fault that is told first, since
    of many the last are left out. *)
 let report_faults c ?mending ?(decomposed = false) places ifs faults =
-  let union = if decomposed then "write `union` after the file" else "a compound = decompose \"file\" union" in
+  let union ~orient =
+    match (decomposed, orient) with
+    | true, false -> "write `union` after the file"
+    | true, true -> "write `orient` and `union` after the file"
+    | false, false -> "a compound = decompose \"file\" union"
+    | false, true -> "a compound = decompose \"file\" orient union"
+  in
   let cure (m : Ast.mending) =
     match Several_solids.advice ?union:(if m.union then None else Some union) ifs with
     | Some _ as cure -> cure

@@ -7,15 +7,22 @@ open Cmdliner
 
 (* {1 Faults} *)
 
-let union_command = "scc decompose --union"
+let union_command ~orient = "scc decompose --union" ^ if orient then " --orient" else ""
 
 (* What an option mends is to be mended by that: the last of the faults says so. *)
-let structure ~union (set : Polyhedron.ifs) faults =
+let structure ~union ~given (set : Polyhedron.ifs) faults =
   let name array i = if i >= 0 && i < Array.length array then fst array.(i) else string_of_int i in
   let vertex = name set.ifs_vertices and face = name set.ifs_faces in
   let last = List.length faults - 1 in
   let cure = Several_solids.advice ?union:(if union then None else Some union_command) set in
   let tries = Mend_options.all_helping set faults in
+  (* Welding may join what shares faces for good. *)
+  let cure =
+    match cure with
+    | None when tries = [] && (not union) && given != set ->
+      Option.map (( ^ ) "as they are in the file, ") (Several_solids.advice ~union:union_command given)
+    | _ -> cure
+  in
   let one i fault =
     let hint =
       match (Mend_options.helping set [ fault ], tries) with
@@ -31,16 +38,16 @@ let structure ~union (set : Polyhedron.ifs) faults =
 (* Solids with more parts take hours. *)
 let greatest = 1_000_000
 
-let diagnostics ~union (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
-  | Unsound (Structure faults) -> structure ~union set faults
+let diagnostics ~union ~given (set : Polyhedron.ifs) : Decomposed.fault -> Diag.t list = function
+  | Unsound (Structure faults) -> structure ~union ~given set faults
   | fault ->
     let hint =
       match fault with
       | Pieces (Apart _ | Island _) ->
         Some "each of several solids needs a file of its own, or add --union for all of them"
       | Pieces (Outward _) -> Some "to mend it, add --orient"
-      (* Of faces that are there from both sides no volume is left. *)
-      | Nothing -> Some (if Rat.sign (Drawn.volume set) < 0 then "to mend it, add --orient" else Flat_mesh.cure)
+      | Inside_out _ -> Some (Mend_options.of_inside_out set)
+      | Nothing -> Some (Mend_options.of_nothing set)
       | Unsound (Cut _) when not union -> Some "if solids overlap there, add --union"
       | Too_many most when most < greatest -> Some "--parts sets how many there may be"
       | Unsound (Structure _ | Cut _) | Too_many _ -> None
@@ -110,16 +117,16 @@ let show console =
 let work console ~mend ~names ~union ~most path =
   let* source = Input.warned console path in
   let files = Input.beside console in
-  let* set, warnings = Result.listed (Scc_mesh.Mesh.read ~files ~path (Source.text source)) in
+  let* given, warnings = Result.listed (Scc_mesh.Mesh.read ~files ~path (Source.text source)) in
   Console.report console warnings;
-  let* set, mended = Mend_options.apply mend set in
+  let* set, mended = Mend_options.apply mend given in
   let set, mended =
     match Bent.triangulated set with
     | Some (set, line) -> (set, mended @ [ ("triangles", line) ])
     | None -> (set, mended)
   in
   let cut = if union then Decomposed.united else Decomposed.make in
-  let* t = Result.map_error (diagnostics ~union set) (cut ~progress:(show console) ~names ~most set) in
+  let* t = Result.map_error (diagnostics ~union ~given set) (cut ~progress:(show console) ~names ~most set) in
   Ok (t, mended)
 
 let report console ~mended ~union ~mass output path (t : Parts.t) =

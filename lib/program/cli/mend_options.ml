@@ -26,15 +26,16 @@ let weld =
 
 let orient =
   Options.flag [ "orient" ]
-    "Turns faces over so that all are counter-clockwise from outside, and names them. A piece within a solid is \
-     taken for a hollow of it, whose faces look into the hollow, and a piece in a hollow for a solid. Where \
-     faces cross each other this is unknown: a piece that is inside out, and within the box of another piece, \
-     stays so."
+    "Turns faces over so that all are counter-clockwise from outside, and names them. A piece that lies within a \
+     solid is taken for a hollow of it, whose faces look into the hollow, and a piece in a hollow for a solid. \
+     Both may touch. Any other closed piece that is inside out is turned over, unless others together surround \
+     all of it. Whether solids touch or share faces, and $(b,--weld), make no difference."
 
 let merge =
   Options.flag [ "merge" ]
     "Makes one face of neighbouring faces that are in one plane, exactly: most files have triangles only, and a \
-     template has maximal faces."
+     template has maximal faces. First, faces that are not closed take in corners of others that are within \
+     their edges; $(b,--orient) comes after this."
 
 let term =
   let make grid weld orient merge = { Mended.grid; weld; orient; merge } in
@@ -85,5 +86,19 @@ let closing set faults =
 let all_helping set faults =
   let closing = closing set faults in
   closing @ List.filter (fun t -> not (List.mem t closing)) (helping set faults)
+
+(* A piece is closed if its faces share vertices. *)
+let of_inside_out set =
+  let helps =
+    match Oriented.make set with
+    | Ok t -> Result.is_ok (United.surface ~tick:ignore t.set)
+    | Error _ -> false
+  in
+  if helps then "to mend it, add --orient"
+  else if Oriented.pieces set = 0 then "to mend it, add --weld --orient"
+  else "turn that part over in the program that made the mesh"
+
+let of_nothing set =
+  if Mended.one_side_each set then "to mend it, add --weld: each face is there from both sides" else Flat_mesh.cure
 
 let text told = String.concat "" (List.map (fun (_, line) -> line ^ "\n") told)

@@ -22,5 +22,11 @@ val all_helping : Polyhedron.ifs -> Polyhedron_fault.t list -> string list
 (** [all_helping set faults] are the options of {!helping}, and before them those that close edges of one face:
     a grid ({!Scc_mesh.Mend.closing_grid}) with [--weld]. Grids are tried for at most 100 000 faces. *)
 
+val of_inside_out : Polyhedron.ifs -> string
+(** The hint for pieces that are inside out. *)
+
+val of_nothing : Polyhedron.ifs -> string
+(** The hint for closed faces that surround nothing. *)
+
 val text : told -> string
 (** The effects as lines of text. *)

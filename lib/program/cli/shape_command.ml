@@ -146,11 +146,13 @@ let advice (r : Solid_report.t) =
   | Accepted _ -> ""
   | Rejected faults ->
     let line text = text ^ "\n" in
-    let union = "scc decompose --union" in
+    let union ~orient = "scc decompose --union" ^ if orient then " --orient" else "" in
     let several = Option.fold ~none:"" ~some:line (Several_solids.advice ~union r.set) in
     if Flat_mesh.is_flat r.set then several
     else
-      let tries = Mend_options.all_helping r.set faults in
+      (* Welding makes nothing of solids that have vertices of their own. *)
+      let apart = several <> "" && Scc_concave.Oriented.pieces r.set > 1 in
+      let tries = if apart then [] else Mend_options.all_helping r.set faults in
       let bent = function Polyhedron_fault.Not_convex _ | Degenerate_face _ -> true | _ -> false in
       several
       ^ (if tries = [] then "" else line ("to mend it: scc shape " ^ String.concat " " tries))

@@ -2,7 +2,12 @@ open Scc_exact
 open Scc_geometry
 
 type progress = Looking of int | Uniting of int | Cutting of int | Making of int * int | Naming of int
-type fault = Unsound of Sound.fault | Pieces of Shells.fault | Nothing | Too_many of int
+type fault =
+  | Unsound of Sound.fault
+  | Pieces of Shells.fault
+  | Inside_out of { face : int; whole : bool }
+  | Nothing
+  | Too_many of int
 
 let most_parts = 10_000
 
@@ -19,7 +24,15 @@ let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
       Printf.sprintf "the faces `%s` and `%s` have the point %s in common, which is at no edge or corner of both"
         (name f) (name g) (Vec.in_short x) )
   | Pieces fault -> Shells.message set fault
-  | Nothing -> (Code.no_solid, "the faces surround nothing: each is there from both sides, or is turned inward")
+  | Inside_out { face; whole = true } ->
+    ( Code.inward_faces,
+      Printf.sprintf "`%s` and the faces around it are turned inward, and are no hollow: no solid is around them"
+        (fst set.ifs_faces.(face)) )
+  | Inside_out { face; whole = false } ->
+    ( Code.inward_faces,
+      Printf.sprintf "a part of the surface with `%s` is turned inward: it goes through itself, or shares faces"
+        (fst set.ifs_faces.(face)) )
+  | Nothing -> (Code.no_solid, "the faces surround nothing: each is there from both sides")
   | Too_many most ->
     ( Code.too_deep,
       Printf.sprintf "the solid takes more than %s, or more than %d cells on the way to them"
@@ -107,9 +120,10 @@ let of_union ~progress ~names ~most set =
     progress (Uniting !pairs)
   in
   match United.surface ~tick set with
-  | None -> Error (Unsound (Option.value (Sound.faults set) ~default:(Sound.Structure [ Inward ])))
-  | Some { ifs_faces = [||]; _ } -> Error Nothing
-  | Some surface -> (
+  | Error Not_closed -> Error (Unsound (Option.value (Sound.faults set) ~default:(Sound.Structure [ Inward ])))
+  | Error (Inside_out { face; whole }) -> Error (Inside_out { face; whole })
+  | Ok { ifs_faces = [||]; _ } -> Error Nothing
+  | Ok surface -> (
       let tick = budget ~most progress in
       let parts solid = of_solid ~tick progress solid (drawn_surface solid) in
       match List.concat_map parts (Shells.solids surface) with
@@ -123,7 +137,7 @@ let united ?(progress = ignore) ?(names = false) ?(most = most_parts) set =
   match make ~progress ~names ~most set with
   | Error (Unsound _ | Pieces _) -> of_union ~progress ~names ~most set
   | Ok _ as parts -> parts
-  | Error (Nothing | Too_many _) as fault -> fault
+  | Error (Inside_out _ | Nothing | Too_many _) as fault -> fault
 
 let convex_whole (t : Parts.t) =
   let corners (_, (p : Polyhedron.t)) = List.map snd (Array.to_list p.vertices) in

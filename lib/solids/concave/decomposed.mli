@@ -5,6 +5,8 @@ open Scc_geometry
 type fault =
   | Unsound of Sound.fault
   | Pieces of Shells.fault  (** not one solid *)
+  | Inside_out of { face : int; whole : bool }
+  (** of a union: a piece of surface is inside out, and is no hollow ({!United.fault}) *)
   | Nothing  (** closed faces of a union that surround no point *)
   | Too_many of int
   (** more parts than this number, or more than twenty times as many cells that they are cut from and joined *)

@@ -1,41 +1,49 @@
+open Scc_base
 open Scc_exact
 open Scc_geometry
 open Scc_mesh
 
 type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
 
-(* Boxes do not tell which piece is a hollow of another one. *)
-let in_each_other set line =
-  match Shells.oriented set with
-  | set, [] -> (set, line)
-  | set, turned ->
-    let names = List.map (fun f -> fst set.Polyhedron.ifs_faces.(f)) turned in
-    let over = "; then turned over, by what is within what: the pieces of " in
-    (set, line ^ over ^ String.concat ", " names)
+let merged set ~taken =
+  let set, line = Mend.merge set in
+  let taken =
+    if taken = 0 then ""
+    else Printf.sprintf "; %s took in corners of others" (Plural.count taken "face" "faces")
+  in
+  (set, line ^ taken)
 
+let orient set =
+  Result.map (fun t -> (t.Oriented.set, [ ("orient", "oriented: " ^ Oriented.told t) ])) (Oriented.make set)
+
+let weld set =
+  let set, line = Mend.weld set in
+  (set, [ ("weld", line) ])
+
+(* A solid that shares a face with another one is a closed piece as long as it has vertices of its own. Faces with
+   corners of others within their edges are not closed, and so they take these in first. *)
 let apply o set =
-  let step wanted by f (set, told) =
-    if wanted then
-      let set, line = f set in
-      (set, (by, line) :: told)
-    else (set, told)
+  let set, gridded =
+    match o.grid with
+    | None -> (set, [])
+    | Some d ->
+      let set, line = Mend.on_grid d set in
+      (set, [ ("grid", line) ])
   in
-  let start = match o.grid with Some d -> step true "grid" (Mend.on_grid d) (set, []) | None -> (set, []) in
-  let set, told = step o.weld "weld" Mend.weld start in
-  let oriented =
-    if not o.orient then Ok (set, told)
-    else
-      Result.map
-        (fun (set, line) ->
-           let set, line = in_each_other set line in
-           (set, ("orient", line) :: told))
-        (Mend.orient set)
+  let wanted by step set = if by then step set else Ok (set, []) in
+  let first = o.weld && o.orient && Oriented.pieces set > 0 in
+  let* set, early = wanted first orient set in
+  let* set, welded = wanted o.weld (fun set -> Ok (weld set)) set in
+  let set, taken = if o.merge then Fitted.make set else (set, 0) in
+  let* set, late = wanted (o.orient && not first) orient set in
+  let merge set =
+    let set, line = merged set ~taken in
+    Ok (set, [ ("merge", line) ])
   in
-  Result.map
-    (fun done_ ->
-       let set, told = step o.merge "merge" Mend.merge done_ in
-       (set, List.rev told))
-    oriented
+  let* set, merged = wanted o.merge merge set in
+  Ok (set, gridded @ early @ welded @ late @ merged)
+
+(* {1 What helps} *)
 
 (* Each trial looks at all faces. *)
 let most_tried = 100_000
@@ -45,4 +53,20 @@ let to_be_closed (set : Polyhedron.ifs) faults =
   Array.length set.ifs_faces <= most_tried && List.exists opened faults
 
 let closing set faults = if to_be_closed set faults then Mend.closing_grid set else None
-let merging set faults = if to_be_closed set faults then Mend.closing_merge set else None
+
+let closing_merge set =
+  let closed (set : Polyhedron.ifs) = Array.length set.ifs_faces > 0 && not (Mend.is_open set) in
+  let merged set = fst (Mend.merge (fst (Fitted.make set))) in
+  if not (Mend.is_open set) then None
+  else if closed (merged set) then Some `Alone
+  else
+    let welded = fst (Mend.weld set) in
+    if Mend.is_open welded && closed (merged welded) then Some `Welded else None
+
+let merging set faults = if to_be_closed set faults then closing_merge set else None
+
+let one_side_each (set : Polyhedron.ifs) =
+  let welded = fst (Mend.weld set) in
+  Array.length welded.ifs_faces < Array.length set.ifs_faces
+  && (not (Mend.is_open welded))
+  && Rat.sign (Drawn.volume welded) <> 0

@@ -38,7 +38,7 @@ let shared_edge ~union (set : Polyhedron.ifs) edges =
     let name v = Scc_base.Visible.line (fst set.ifs_vertices.(v)) in
     Some
       (Printf.sprintf "solids have an edge in common, from %s to %s; for all of them: %s" (name u) (name v)
-         union)
+         (union ~orient:false))
   | Some _ | None -> None
 
 (* {1 Walls} *)
@@ -88,6 +88,18 @@ let wall (set : Polyhedron.ifs) edges =
     let more = Scc_base.Plural.count (List.length rest) "more face" "more faces" in
     Some (text (Printf.sprintf "%s and %s" (name first) more) "are a wall")
 
+(* {1 Closed pieces} *)
+
+(* Each has vertices of its own. *)
+let closed_pieces ~union set =
+  if not (Oriented.pieces set > 1 && Option.is_some (Sound.faults set)) then None
+  else
+    let text orient = Some ("each of several pieces is closed; for all of them: " ^ union ~orient) in
+    match United.surface ~tick:ignore set with
+    | Ok _ -> text false
+    | Error (Inside_out { whole = true; _ }) -> text true
+    | Error (Not_closed | Inside_out { whole = false; _ }) -> None
+
 (* {1 All} *)
 
 let in_range (set : Polyhedron.ifs) =
@@ -96,17 +108,21 @@ let in_range (set : Polyhedron.ifs) =
 
 let ( <|> ) found next = match found with Some _ -> found | None -> next ()
 
-let of_several ?union set =
-  (match union with None -> None | Some union -> Shared_face.advice ~union set)
-  <|> fun () ->
-    if Array.length set.ifs_faces > most_tried || not (in_range set) then None
-    else
-      let edges = edges set in
-      let crowded (_, faces) = List.compare_length_with faces 2 > 0 in
-      if not (List.exists crowded edges) then None
+let of_several ?union (set : Polyhedron.ifs) =
+  let tried = Array.length set.ifs_faces <= most_tried && in_range set in
+  let with_union f = match union with Some union -> f union | None -> None in
+  if tried && Mended.one_side_each set then None
+  else
+    with_union (fun union -> Shared_face.advice ~union:(union ~orient:false) set)
+    <|> fun () ->
+      if not tried then None
       else
-        let shared = match union with None -> None | Some union -> shared_edge ~union set edges in
-        shared <|> fun () -> wall set edges
+        let edges = edges set in
+        let crowded (_, faces) = List.compare_length_with faces 2 > 0 in
+        let crowded = List.exists crowded edges in
+        with_union (fun union -> if crowded then shared_edge ~union set edges else None)
+        <|> (fun () -> if crowded then wall set edges else None)
+        <|> fun () -> with_union (fun union -> closed_pieces ~union set)
 
 let advice ?union set =
   match Flat_mesh.advice set with Some _ as flat -> flat | None -> of_several ?union set

@@ -90,32 +90,6 @@ let message (set : Polyhedron.ifs) =
         "`%s` and the faces around it are within the solid, but turned outward: those of a hollow look into it"
         (name f) )
 
-(* {1 Mending} *)
-
-let reversed corners =
-  let n = Array.length corners in
-  Array.init n (fun i -> corners.(n - 1 - i))
-
-let in_place set =
-  match Sound.faults set with
-  | None | Some (Structure [ Inward ]) -> true
-  | Some (Structure _ | Cut _) -> false
-
-let turned_over (set : Polyhedron.ifs) shells =
-  let wrong s =
-    let even = List.length (around set shells s) mod 2 = 0 in
-    not (Bool.equal even (outward set shells.(s)))
-  in
-  let list = List.filter wrong (List.init (Array.length shells) Fun.id) in
-  let faces = Array.copy set.ifs_faces in
-  let turn s = List.iter (fun f -> faces.(f) <- (fst faces.(f), reversed (snd faces.(f)))) shells.(s).faces in
-  List.iter turn list;
-  ({ set with ifs_faces = faces }, List.map (fun s -> shells.(s).first) list)
-
-let oriented set =
-  let shells = all set in
-  if Array.length shells > 1 && in_place set then turned_over set shells else (set, [])
-
 (* {1 Solids by themselves} *)
 
 (* With the vertices that the faces use. *)

@@ -19,11 +19,6 @@ val fault : Polyhedron.ifs -> fault option
 val message : Polyhedron.ifs -> fault -> Scc_base.Code.t * string
 (** The code and the message of a fault, with the names of the faces. *)
 
-val oriented : Polyhedron.ifs -> Polyhedron.ifs * int list
-(** [oriented set] has each shell turned outward if it is in no other shell or in a hollow, and inward if it is
-    in a solid. The list has the first face of each shell that was turned over. The set is unchanged if there
-    is only one shell, or if faces are unsound for other reasons. Quadratic in the number of shells. *)
-
 val solids : Polyhedron.ifs -> Polyhedron.ifs list
 (** [solids set] is the solids of a surface by themselves, each with its hollows, in the order of the first faces
     of their outer shells. The faces are those of {!United.surface}. Solids that share an edge are one. Quadratic

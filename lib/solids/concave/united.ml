@@ -42,63 +42,81 @@ let convex_pieces (set : Polyhedron.ifs) (_, face) =
 
 (* {1 What is inside and what is outside} *)
 
-(* Two polygons with an edge that no other one has divide the same parts of space, if all that they have in common
-   with others are edges and corners of both. *)
-let patches (sheets : Sheets.t array) (met : Sheets.met array) =
-  let joined = Union_find.create (Array.length sheets) and at = Hashtbl.create 1024 in
-  let owners key = Option.value ~default:[] (Hashtbl.find_opt at key) in
-  let enter k (s : Sheets.t) =
+type fault = Not_closed | Inside_out of { face : int; whole : bool }
+
+(* At each edge the faces, and if they run from its lesser number to the greater one. *)
+let edges cycles =
+  let at = Hashtbl.create 256 in
+  let enter f cycle =
     let edge (u, v) =
       let key = (Int.min u v, Int.max u v) in
-      Hashtbl.replace at key (k :: owners key)
+      Hashtbl.replace at key ((f, if u < v then 1 else -1) :: Option.value ~default:[] (Hashtbl.find_opt at key))
     in
-    List.iter edge (Scc_polygon.Polygon.edges s.ids)
+    List.iter edge (Scc_polygon.Polygon.edges cycle)
   in
-  Array.iteri enter sheets;
-  let join _ = function
-    | [ i; j ] when not (met.(i).touched || met.(j).touched) -> ignore (Union_find.union joined i j)
-    | _ -> ()
+  Array.iteri enter cycles;
+  at
+
+(* The pieces of closed surface that faces form, by the first faces: those connected by edges of two faces, by the
+   vertices that are given, or else by places. What is not closed is joined at the edges where it is not. *)
+let pieces (set : Polyhedron.ifs) cycles =
+  let n = Array.length cycles and placed = edges cycles in
+  let joined_by at =
+    let joined = Union_find.create n in
+    let join _ = function [ (f, _); (g, _) ] -> ignore (Union_find.union joined f g) | _ -> () in
+    Hashtbl.iter join at;
+    joined
   in
-  Hashtbl.iter join at;
-  joined
+  let open_at joined faces =
+    let piece f = Union_find.find joined f in
+    let sum p = List.fold_left (fun sum (f, way) -> if piece f = p then sum + way else sum) 0 faces in
+    List.filter (fun p -> sum p <> 0) (List.sort_uniq Int.compare (List.map (fun (f, _) -> piece f) faces))
+  in
+  let rec close joined =
+    let join _ faces changed =
+      match open_at joined faces with
+      | [] -> changed
+      | p :: others ->
+        List.iter (fun q -> ignore (Union_find.union joined p q)) others;
+        true
+    in
+    if Hashtbl.fold join placed false then close joined
+  in
+  let given = joined_by (edges (Array.map snd set.ifs_faces)) in
+  let is_closed = Hashtbl.fold (fun _ faces all -> all && open_at given faces = []) placed true in
+  let joined = if is_closed then given else joined_by placed in
+  close joined;
+  Array.init n (Union_find.find joined)
 
-type space = { sheets : Sheets.t array; met : Sheets.met array; tree : Scc_broad_phase.Box_tree.t }
-
-(* How often the place beyond a point of the surface is surrounded, on the way up. *)
-let above space x =
-  let own = Boxed.of_points [| Homogeneous.to_vec x |] in
-  let side f = Array.init 3 (f own) in
-  let high = side Float_box.high and sum = ref 0 in
-  high.(2) <- infinity;
-  let ray = Float_box.make ~low:(side Float_box.low) ~high in
-  let add k = sum := !sum + Sheets.over space.sheets.(k) x in
-  Scc_broad_phase.Box_tree.iter_meeting space.tree ray add;
-  !sum
-
-(* For a piece of a polygon that no other one cuts: true if it is in the surface of the union. Where several
-   polygons cover it, it is a piece of the first one. The place above is in front if the polygon looks upward. *)
-let shows space k polygon =
-  let s = space.sheets.(k) and x = Sheets.inner polygon in
-  let same j = Plane.equal space.sheets.(j).plane s.plane in
-  let here = List.filter (fun j -> Sheets.holds space.sheets.(j) x) space.met.(k).over in
-  (not (List.exists (fun j -> j < k && same j) here))
-  &&
-  let times = List.fold_left (fun sum j -> if same j then sum + 1 else sum - 1) 1 here in
-  let upward = [ s.plane.c; s.plane.a; s.plane.b ] in
-  let up = List.fold_left (fun sign z -> if sign <> 0 then sign else Z.sign z) 0 upward in
-  let there = above space x in
-  let behind, front = if up > 0 then (there + times, there) else (there, there - times) in
-  behind > 0 && front <= 0
+(* A place that some piece surrounds less than no time, and none surrounds: the first face of such a piece. A piece
+   of positive volume goes through itself. *)
+let inside_out (set : Polyhedron.ifs) cycles sheets counts =
+  let of_face = pieces set cycles in
+  let of_sheet = Array.map (fun (s : Sheets.t) -> of_face.(s.face)) sheets in
+  let wrong count =
+    let sums = Surrounded.of_pieces of_sheet count in
+    if List.exists (fun (_, n) -> n > 0) sums then [] else List.map fst sums
+  in
+  match List.sort_uniq Int.compare (List.concat_map wrong counts) with
+  | [] -> Ok ()
+  | wrong -> (
+      let turned piece =
+        let own = List.filteri (fun f _ -> of_face.(f) = piece) (Array.to_list set.ifs_faces) in
+        Rat.sign (Drawn.volume { set with ifs_faces = Array.of_list own }) < 0
+      in
+      match List.find_opt turned wrong with
+      | Some face -> Error (Inside_out { face; whole = true })
+      | None -> Error (Inside_out { face = List.hd wrong; whole = false }))
 
 (* {1 What is left of faces} *)
 
 (* The greatest pieces of a polygon all of which is shown. *)
-let left ~tick space k =
-  let pieces = Sheets.pieces ~tick space.sheets.(k) space.met.(k) in
+let left ~tick ~shows space (sheets : Sheets.t array) k =
+  let pieces = Sheets.pieces ~tick sheets.(k) (Surrounded.met space k) in
   let shown = Array.map (fun _ -> true) pieces in
   for i = Array.length pieces - 1 downto 0 do
     let p = pieces.(i) in
-    if p.leaf then shown.(i) <- shows space k p.polygon;
+    if p.leaf then shown.(i) <- shows k p.polygon;
     if p.parent >= 0 && not shown.(i) then shown.(p.parent) <- false
   done;
   let greatest i (p : Sheets.piece) =
@@ -108,29 +126,43 @@ let left ~tick space k =
 
 type rest = Whole | Pieces of Homogeneous.t array list
 
-(* Of each polygon. *)
+(* Of each polygon: a piece of it is in the surface of the union if what is behind is inside, and what is in front
+   is not. Also the counts below zero. *)
 let rests ~tick sheets =
-  let met = Sheets.met ~tick sheets and tree = Scc_broad_phase.Box_tree.create () in
-  Array.iteri (fun k (s : Sheets.t) -> Scc_broad_phase.Box_tree.insert tree k s.box) sheets;
-  let space = { sheets; met; tree } and patches = patches sheets met in
+  let space = Surrounded.make ~tick sheets in
+  let negative = ref [] in
+  let shows k polygon =
+    match Surrounded.sides space k polygon with
+    | None -> false
+    | Some { behind; front } ->
+      let look count =
+        let n = Surrounded.total count in
+        if n < 0 then negative := count :: !negative;
+        n > 0
+      in
+      let inside = look behind and beyond = look front in
+      inside && not beyond
+  in
   let of_patch = Hashtbl.create 64 in
   let shown k =
-    let root = Union_find.find patches k in
+    let root = Surrounded.patch space k in
     match Hashtbl.find_opt of_patch root with
     | Some shown -> shown
     | None ->
       tick ();
-      let shown = shows space root sheets.(root).corners in
+      let shown = shows root sheets.(root).Sheets.corners in
       Hashtbl.replace of_patch root shown;
       shown
   in
+  let touched k = (Surrounded.met space k).touched in
   let rest k (s : Sheets.t) =
-    if met.(k).touched then
-      match left ~tick space k with [ one ] when one == s.corners -> Whole | list -> Pieces list
+    if touched k then
+      match left ~tick ~shows space sheets k with [ one ] when one == s.corners -> Whole | list -> Pieces list
     else if shown k then Whole
     else Pieces []
   in
-  (Array.mapi rest sheets, Array.map (fun (m : Sheets.met) -> m.touched) met)
+  let rests = Array.mapi rest sheets in
+  (rests, Array.mapi (fun k _ -> touched k) sheets, !negative)
 
 (* {1 The surface} *)
 
@@ -186,15 +218,20 @@ let prepared (set : Polyhedron.ifs) =
       let*? pieces = Option.all (convex_pieces set) (Array.to_list set.ifs_faces) in
       Some (places, at_vertex, cycles, pieces)
 
-let takes set = Option.is_some (prepared set) && Rat.sign (Drawn.volume set) > 0
-
-let surface ~tick (set : Polyhedron.ifs) =
-  let*? places, at_vertex, cycles, pieces = prepared set in
+let sheets_of (places, at_vertex, _, pieces) =
   let sheet face corners =
     Sheets.make ~face ~ids:(Array.map (fun v -> at_vertex.(v)) corners) (at places) (box places)
   in
-  let sheets = Array.of_list (List.concat (List.mapi (fun f list -> List.map (sheet f) list) pieces)) in
-  let rests, touched = rests ~tick sheets in
+  Array.of_list (List.concat (List.mapi (fun f list -> List.map (sheet f) list) pieces))
+
+let sheets set = Option.map sheets_of (prepared set)
+let takes set = Option.is_some (prepared set) && Rat.sign (Drawn.volume set) > 0
+
+let surface ~tick (set : Polyhedron.ifs) =
+  let* ((places, at_vertex, cycles, _) as prepared) = Option.to_result ~none:Not_closed (prepared set) in
+  let sheets = sheets_of prepared in
+  let rests, touched, negative = rests ~tick sheets in
+  let* () = inside_out set cycles sheets negative in
   let whole = Array.map (fun _ -> true) set.ifs_faces in
   let look k (s : Sheets.t) = match rests.(k) with Whole -> () | Pieces _ -> whole.(s.face) <- false in
   Array.iteri look sheets;
@@ -216,4 +253,4 @@ let surface ~tick (set : Polyhedron.ifs) =
       [ (f, cycles.(f)) ]
     end
   in
-  Some (named set places at_vertex (conforming places corners (List.concat (List.mapi of_face left))))
+  Ok (named set places at_vertex (conforming places corners (List.concat (List.mapi of_face left))))

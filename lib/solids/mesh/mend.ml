@@ -142,128 +142,114 @@ let closing_grid (set : Polyhedron.ifs) =
     let billionth = Rat.make Z.one (Z.of_int 1_000_000_000) in
     from (Rat.mul billionth (power (below Rat.one))) 6
 
-type piece = { members : int list; closed : bool }
+type consistent = { turned : bool array; closed : int list list }
 
-(* Which faces are to be turned, and the pieces; [Error f]: no choice fits at f. *)
-let pieces (set : Polyhedron.ifs) =
+(* All faces at an edge, of which any two neighbours agree. *)
+let is_closed edges turned =
+  let open_ = Hashtbl.create 16 in
+  let look piece _ at =
+    let way sum (f, along) = if Bool.equal along turned.(f) then sum - 1 else sum + 1 in
+    let own = List.sort_uniq Int.compare (List.map (fun (f, _) -> piece.(f)) at) in
+    let balanced p = List.fold_left way 0 (List.filter (fun (f, _) -> piece.(f) = p) at) = 0 in
+    List.iter (fun p -> if not (balanced p) then Hashtbl.replace open_ p ()) own
+  in
+  fun piece ->
+    Hashtbl.iter (look piece) edges;
+    fun p -> not (Hashtbl.mem open_ p)
+
+(* Two faces with the same corners, which solids share, or a solid and its hollow: the second one with the first.
+*)
+let shared_faces (set : Polyhedron.ifs) =
+  let known = Hashtbl.create 64 in
+  let enter f (_, c) =
+    let key = List.sort Int.compare (Array.to_list c) in
+    Hashtbl.replace known key (f :: Option.value ~default:[] (Hashtbl.find_opt known key))
+  in
+  Array.iteri enter set.ifs_faces;
+  let pair f g =
+    let key k = Twice.from_least (snd set.ifs_faces.(k)) in
+    let turned = Twice.from_least (reversed (snd set.ifs_faces.(g))) in
+    if key f = turned then Some (f, g, false) else if key f = key g then Some (f, g, true) else None
+  in
+  let look _ faces all = match faces with [ g; f ] -> Option.to_list (pair f g) @ all | _ -> all in
+  List.sort compare (Hashtbl.fold look known [])
+
+(* The faces at each edge, without some faces. *)
+let edges_without shared (set : Polyhedron.ifs) =
+  let edges = edges_of set and apart = Array.map (fun _ -> false) set.ifs_faces in
+  let leave (f, g, _) =
+    apart.(f) <- true;
+    apart.(g) <- true
+  in
+  List.iter leave shared;
+  if shared <> [] then
+    Hashtbl.filter_map_inplace (fun _ at -> Some (List.filter (fun (f, _) -> not apart.(f)) at)) edges;
+  edges
+
+let neighbours_agree (set : Polyhedron.ifs) shared =
   let n = Array.length set.ifs_faces in
-  let beside = Array.make n [] and shut = Array.make n true in
-  let open_edge l = List.iter (fun (f, _) -> shut.(f) <- false) l in
-  Hashtbl.iter
-    (fun _ at ->
-       match at with
-       | [ (f, along); (g, along') ] when f <> g ->
-         let differ = Bool.equal along along' in
-         beside.(f) <- (g, differ) :: beside.(f);
-         beside.(g) <- (f, differ) :: beside.(g)
-       | other -> open_edge other)
-    (edges_of set);
-  let turned = Array.make n None in
+  let beside = Array.make n [] and edges = edges_without shared set in
+  let join _ = function
+    | [ (f, along); (g, along') ] when f <> g ->
+      let differ = Bool.equal along along' in
+      beside.(f) <- (g, differ) :: beside.(f);
+      beside.(g) <- (f, differ) :: beside.(g)
+    | _ -> ()
+  in
+  Hashtbl.iter join edges;
+  let turned = Array.make n false and piece = Array.make n (-1) in
   let wrong = ref max_int in
-  let piece f =
+  let follow first =
     let queue = Queue.create () in
-    turned.(f) <- Some false;
-    Queue.add f queue;
-    let members = ref [] and closed = ref true in
+    piece.(first) <- first;
+    Queue.add first queue;
     while not (Queue.is_empty queue) do
       let f = Queue.pop queue in
-      members := f :: !members;
-      closed := !closed && shut.(f);
-      let own = Option.equal Bool.equal turned.(f) (Some true) in
       let visit (g, differ) =
-        let wanted = not (Bool.equal own differ) in
-        match turned.(g) with
-        | Some t -> if not (Bool.equal t wanted) then wrong := min !wrong (max f g)
-        | None ->
-          turned.(g) <- Some wanted;
+        let wanted = not (Bool.equal turned.(f) differ) in
+        if piece.(g) >= 0 then (if not (Bool.equal turned.(g) wanted) then wrong := min !wrong (max f g))
+        else begin
+          piece.(g) <- first;
+          turned.(g) <- wanted;
           Queue.add g queue
+        end
       in
       List.iter visit beside.(f)
-    done;
-    { members = !members; closed = !closed }
+    done
   in
-  let found = List.filter_map (fun f -> if Option.is_none turned.(f) then Some (piece f) else None) in
-  let found = found (List.init n Fun.id) in
-  if !wrong < max_int then Error !wrong
-  else Ok (Array.map (Option.equal Bool.equal (Some true)) turned, found)
-
-let volume (set : Polyhedron.ifs) turned members =
-  let p i = snd set.ifs_vertices.(i) in
-  let face sum f =
-    let c = snd set.ifs_faces.(f) in
-    let part = ref Rat.zero in
-    for k = 1 to Array.length c - 2 do
-      part := Rat.add !part (Vec.dot (p c.(0)) (Vec.cross (p c.(k)) (p c.(k + 1))))
-    done;
-    if turned.(f) then Rat.sub sum !part else Rat.add sum !part
+  let share (f, g, over) =
+    piece.(f) <- f;
+    piece.(g) <- f;
+    turned.(g) <- over
   in
-  List.fold_left face Rat.zero members
-
-(* The least and greatest coordinates. *)
-let box (set : Polyhedron.ifs) members =
-  let lift f (a : Vec.t) (b : Vec.t) = Vec.make (f a.x b.x) (f a.y b.y) (f a.z b.z) in
-  let widen acc i =
-    let v = snd set.ifs_vertices.(i) in
-    match acc with
-    | None -> Some (v, v)
-    | Some (low, high) -> Some (lift Rat.min low v, lift Rat.max high v)
-  in
-  List.fold_left (fun acc f -> Array.fold_left widen acc (snd set.ifs_faces.(f))) None members
-
-let strictly_inside inner outer =
-  match (inner, outer) with
-  | Some ((a : Vec.t), (b : Vec.t)), Some ((c : Vec.t), (d : Vec.t)) ->
-    let less x y = Rat.compare x y < 0 in
-    less c.x a.x && less c.y a.y && less c.z a.z && less b.x d.x && less b.y d.y && less b.z d.z
-  | _ -> false
-
-let max_named = 6
-
-let named (set : Polyhedron.ifs) list =
-  let first = List.filteri (fun i _ -> i < max_named) list in
-  String.concat ", " (List.map (fun f -> fst set.ifs_faces.(f)) first)
-  ^ if List.compare_length_with list max_named > 0 then ", …" else ""
-
-(* Their boxes are compared each with all others. *)
-let max_pieces = 1000
-
-let orient (set : Polyhedron.ifs) =
-  match pieces set with
-  | Ok (_, found) when List.compare_length_with found max_pieces > 0 ->
-    Error (Printf.sprintf "it falls apart into more than %d pieces" max_pieces)
-  | Error f ->
+  List.iter share shared;
+  for f = 0 to n - 1 do
+    if piece.(f) < 0 then follow f
+  done;
+  if !wrong < max_int then
     Error
       (Printf.sprintf "the surface has only one side: going around it, face %s comes out turned over"
-         (fst set.ifs_faces.(f)))
-  | Ok (turned, found) ->
-    let boxes = lazy (List.map (fun p -> box set p.members) found) in
-    let cavities = ref [] in
-    let outward p =
-      if p.closed && Rat.sign (volume set turned p.members) < 0 then
-        let inner =
-          match found with
-          | [ _ ] -> false
-          | _ ->
-            let own = box set p.members in
-            List.exists (strictly_inside own) (Lazy.force boxes)
-        in
-        if inner then cavities := List.fold_left min max_int p.members :: !cavities
-        else List.iter (fun f -> turned.(f) <- not turned.(f)) p.members
-    in
-    List.iter outward found;
-    let over = List.filter (fun f -> turned.(f)) (List.init (Array.length turned) Fun.id) in
-    let turn f (name, c) = (name, if turned.(f) then reversed c else c) in
-    let told =
-      match over with
-      | [] -> "oriented: no face had to be turned over"
-      | _ -> Printf.sprintf "oriented: %s turned over: %s" (faces (List.length over)) (named set over)
-    in
-    let told =
-      match List.rev !cavities with
-      | [] -> told
-      | l -> Printf.sprintf "%s; what may be cavities stays inside out: the pieces of %s" told (named set l)
-    in
-    Ok ({ set with ifs_faces = Array.mapi turn set.ifs_faces }, told)
+         (fst set.ifs_faces.(!wrong)))
+  else begin
+    let members = Array.make n [] in
+    for f = n - 1 downto 0 do
+      members.(piece.(f)) <- f :: members.(piece.(f))
+    done;
+    let closed = is_closed edges turned piece in
+    let firsts = List.filter (fun f -> piece.(f) = f && closed f) (List.init n Fun.id) in
+    Ok { turned; closed = List.map (fun f -> members.(f)) firsts }
+  end
+
+let all_closed found = List.fold_left (fun n p -> n + List.length p) 0 found.closed = Array.length found.turned
+
+(* Without the faces that they share, solids are closed together. *)
+let consistent set =
+  match shared_faces set with
+  | [] -> neighbours_agree set []
+  | shared -> (
+      match neighbours_agree set shared with
+      | Ok found when all_closed found -> Ok found
+      | Ok _ | Error _ -> neighbours_agree set [])
 
 (* {1 Merge} *)
 
@@ -274,12 +260,3 @@ let merge (set : Polyhedron.ifs) =
     Printf.sprintf "merged: %s became %d" (faces (Array.length set.ifs_faces)) (Array.length merged.ifs_faces)
   in
   (merged, told)
-
-let closing_merge set =
-  let closed (set : Polyhedron.ifs) = Array.length set.ifs_faces > 0 && not (is_open set) in
-  let merged set = fst (merge set) in
-  if not (is_open set) then None
-  else if closed (merged set) then Some `Alone
-  else
-    let welded = fst (weld set) in
-    if is_open welded && closed (merged welded) then Some `Welded else None

@@ -21,19 +21,27 @@ val weld : Polyhedron.ifs -> Polyhedron.ifs * string
     each face is there from both sides, the first of both stays. Vertices that no face uses are dropped, but
     not in a cloud, which has no faces. *)
 
-val closing_merge : Polyhedron.ifs -> [ `Alone | `Welded ] option
-(** [closing_merge set] says how {!merge} leaves no edge that is in one face only, if there are such edges: alone,
-    or after {!weld}. [None] if it does not. Where a corner of one face is within an edge of another one, the edges
-    beside it are in one face each. Faces of one plane lose the corner when they become one. *)
+val is_open : Polyhedron.ifs -> bool
+(** [is_open set] is true if some edge is in one face only. *)
 
 val has_faces_twice : Polyhedron.ifs -> bool
 (** [has_faces_twice set] is true if {!weld} drops a face that is there twice, with the same vertices. *)
 
-val orient : Polyhedron.ifs -> (Polyhedron.ifs * string, string) result
-(** Faces are turned over so that any two neighbours along an edge of exactly two faces agree with the first
-    face of their piece. A closed piece of negative volume is turned over as a whole. It stays as it is if its
-    box is strictly inside that of another piece, since it may be a cavity; the sentence then says so. [Error]:
-    a surface like a Möbius strip, with a face at which it was found, or more than 1000 pieces. *)
+type consistent = {
+  turned : bool array;  (** For each face, whether it is to be turned over. *)
+  closed : int list list;
+  (** The faces of each piece all of whose edges have as many of them one way as the other way, once these are
+      turned over. Faces and pieces are in order. *)
+}
+
+val all_closed : consistent -> bool
+(** True if all faces are in closed pieces. *)
+
+val consistent : Polyhedron.ifs -> (consistent, string) result
+(** A piece is faces that are connected by edges of exactly two faces. They are turned over so that any two
+    neighbours agree with the first face of their piece. Two faces with the same corners are a piece by themselves,
+    if all pieces are closed then. [Error]: a surface like a Möbius strip, with a face at
+    which it was found. *)
 
 val merge : Polyhedron.ifs -> Polyhedron.ifs * string
 (** The set with maximal faces, by {!Merge_coplanar.merge}. A cloud of points, without faces, stays as it is.

@@ -85,11 +85,14 @@ let wrapped ~path text =
   let say ~hint fault = Some (Diag.error Code.mesh_format (Span.of_file path) ~hint "%s" fault) in
   let begins = List.exists (fun prefix -> String.starts_with ~prefix text) in
   let ends = Filename.check_suffix (String.lowercase_ascii path) in
-  let plain = List.exists ends [ ".x3d"; ".x3dv"; ".wrl"; ".off"; ".obj" ] in
-  if plain && begins [ "\xff\xfe"; "\xfe\xff"; "<\000"; "\000<" ] then
+  let binary = List.exists ends [ ".glb"; ".3mf" ] in
+  let scene = List.exists ends [ ".x3d"; ".x3dv"; ".wrl"; ".vrml" ] in
+  if (not binary) && begins [ "\xff\xfe"; "\xfe\xff"; "<\000"; "\000<" ] then
     say "the text is in UTF-16, which is not read" ~hint:"save it as UTF-8"
-  else if plain && begins [ "\x1f\x8b" ] then
+  else if (not binary) && begins [ "\x1f\x8b\b" ] then
     say "the file is compressed" ~hint:"decompress it, by gunzip for instance"
+  else if scene && String.trim text = "" then
+    Some (Diag.error Code.bad_mesh (Span.of_file path) "the file is empty")
   else None
 
 let check ~path ((set : Polyhedron.ifs), warnings) =

@@ -8,6 +8,8 @@ type counts = { vertices : int; faces : int; at : Text.word }
 type more = { colours : bool; normals : bool; texture : bool }
 
 let keyword word =
+  (* In small letters [n] is a number of dimensions, and so no other keyword may have them. *)
+  let word = if String.equal (String.uppercase_ascii word) "OFF" then "OFF" else word in
   let n = String.length word in
   let rec go more i =
     let rest = String.sub word i (n - i) in
@@ -152,7 +154,37 @@ let face_line ~path ~count = function
       let* () = colour ~path (List.filteri (fun i _ -> i >= corners) rest) in
       Ok (Array.of_list indices)
 
-let read ~path text =
+(* All on one line: its words tell where a point or a face ends, as long as nothing is beside them. *)
+let on_one_line ~path words =
+  let* c = counts ~path (List.filteri (fun i _ -> i < 3) words) in
+  let last = List.fold_left (fun _ w -> w) c.at words in
+  let rec vertices found k words =
+    match words with
+    | _ when k = 0 -> Ok (found, words)
+    | x :: y :: z :: rest ->
+      let* point = coordinates ~path [ x; y; z ] in
+      vertices (point :: found) (k - 1) rest
+    | _ -> error ~path last "the header promises %d vertices, but the file has only %d" c.vertices (c.vertices - k)
+  in
+  let rec split n taken rest =
+    match rest with w :: rest when n > 0 -> split (n - 1) (w :: taken) rest | _ -> (List.rev taken, rest)
+  in
+  let rec faces found k words =
+    match words with
+    | [] when k = 0 -> Ok found
+    | w :: _ when k = 0 -> error ~path w "expected the end of the file after the faces that the header promises"
+    | w :: rest ->
+      let* corners = integer ~path ~what:"the number of corners of a face" w in
+      let own, rest = split corners [] rest in
+      let* face = face_line ~path ~count:c.vertices (w :: own) in
+      faces (face :: found) (k - 1) rest
+    | [] -> error ~path last "the header promises %d faces, but the file has only %d" c.faces (c.faces - k)
+  in
+  let* points, rest = vertices [] c.vertices (snd (split 3 [] words)) in
+  let* faces = faces [] c.faces rest in
+  Ok (ifs points faces)
+
+let read_lines ~path text =
   let* c, spare, position = header ~path text in
   let at = c.at in
   let* vertices, position =
@@ -166,3 +198,11 @@ let read ~path text =
     error ~path w "expected the end of the file after the %d vertices and %d faces that the header promises"
       c.vertices c.faces
   | Some ([], _) | None -> Ok (ifs vertices faces)
+
+let read ~path text =
+  match next_line text 0 with
+  | Some ((w :: (_ :: _ :: _ :: _ :: _ as words)), next)
+    when Option.equal Int.equal (Option.map (fun m -> snd (spare m)) (keyword w.text)) (Some 0)
+      && Option.is_none (next_line text next) ->
+    on_one_line ~path words
+  | _ -> read_lines ~path text

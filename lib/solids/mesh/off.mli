@@ -1,7 +1,8 @@
 (** OFF files (Geomview). They have the word [OFF], the numbers of vertices, faces and edges, then a line for
     each vertex and each face. A vertex is [x y z], a face [k i1 … ik], with indices from 0. [COFF], [NOFF],
     [STOFF] and their combinations, in any order, are read without their colours, normals and texture coordinates,
-    which a vertex has or has not; a colour after a face is skipped. The number of edges, which many writers leave
+    which a vertex has or has not; a colour after a face is skipped. [OFF] may be in small letters. All may be on
+    one line, without colours. The number of edges, which many writers leave
     0, is not used. *)
 
 open Scc_base

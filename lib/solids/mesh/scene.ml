@@ -72,6 +72,9 @@ let access_name = function
   | Out -> "an event that goes out"
   | Field | Exposed | Unsaid -> "a field with a value"
 
+let type_of (interface : interface) name =
+  match List.find_opt (fun d -> String.equal d.field.text name) interface with Some d -> d.type_ | None -> ""
+
 type elsewhere = { path : string; name : string; interface : interface; at : Text.word; urls : string list }
 type 'body prototype =
   | Elsewhere of elsewhere

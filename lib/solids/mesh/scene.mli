@@ -86,6 +86,9 @@ type interface = declared list
 val access_name : access -> string
 (** How a message names that. *)
 
+val type_of : interface -> string -> string
+(** The type of a field, [""] if it is not stated or there is no such field. *)
+
 type elsewhere = {
   path : string;  (** the file that declares it so *)
   name : string;  (** in that file *)

@@ -17,6 +17,7 @@ type t = {
   loaded : (string, file) Hashtbl.t;
   mutable loading : string list;
   mutable following : int;  (* declarations that lead to each other *)
+  mutable expanding : (string * string) list;  (* files and prototypes whose bodies are read *)
   mutable starts : (int * string) list;  (* of files, the last one first *)
   mutable next : int;
 }
@@ -26,7 +27,8 @@ let first_start = 1 lsl 40
 
 let make ~files ~room ~read =
   {
-    files; room; read; loaded = Hashtbl.create 8; loading = []; following = 0; starts = []; next = first_start;
+    files; room; read; loaded = Hashtbl.create 8; loading = []; following = 0; expanding = []; starts = [];
+    next = first_start;
   }
 
 let file ~units ~own ~elsewhere prototypes =
@@ -150,6 +152,37 @@ let check_interface (e : Scene.elsewhere) url (found : Scene.interface) =
   in
   List.iter one e.interface
 
+let need_each_other =
+  "put the prototypes that need each other into one file; where one of them uses itself in the end, remove that \
+   use"
+
+let name_of (e : Scene.elsewhere) url =
+  match String.index_opt url '#' with
+  | Some i -> Percent.decoded (String.sub url (i + 1) (String.length url - i - 1))
+  | None -> e.name
+
+(* The values of fields are read before a body is, and so this one is around the place where it is read again. *)
+let once t (e : Scene.elsewhere) (key : string * string) body ~path kind ~depth fields =
+  if List.mem key t.expanding then begin
+    (* From the outer ones to the inner ones. *)
+    let rec up_to found = function
+      | other :: rest when other <> key -> up_to (Text.quote (snd other) :: found) rest
+      | _ -> found
+    in
+    let way =
+      match up_to [] t.expanding with
+      | [] -> ""
+      | names -> ", by way of " ^ String.concat ", " names
+    in
+    refuse e ~hint:"remove one of these uses: a prototype has no end that has itself in its body"
+      "the prototype %s uses itself%s" (Text.quote (snd key)) way
+  end;
+  let around = t.expanding in
+  t.expanding <- key :: around;
+  let found = body ~path kind ~depth fields in
+  t.expanding <- around;
+  found
+
 let find t ~depth ~length (e : Scene.elsewhere) =
   let text path = if Hashtbl.mem t.loaded path then Ok "" else t.files path in
   let one url = Beside.address text ~path:e.path (file_of url) in
@@ -167,19 +200,19 @@ let find t ~depth ~length (e : Scene.elsewhere) =
         match one url with
         | Error text -> first (if Option.is_some why then why else Some (url, text)) rest
         | Ok (path, _) when List.mem path t.loading ->
-          refuse e ~hint:"put the prototypes that need each other into one file" "the file %s needs itself here"
+          refuse e ~hint:need_each_other "the file %s needs itself here"
             (Text.quote url)
-        | Ok (path, text) -> (url, load t ~depth e path text))
+        | Ok (path, text) -> (url, path, load t ~depth e path text))
   in
   if t.following >= most_followed then
     refuse e ~hint:"end the cycle: write the address of the file that has the body of the prototype"
       "prototypes in other files lead to each other more than %d times" most_followed;
   t.following <- t.following + 1;
-  let url, file = first None e.urls in
+  let url, path, file = first None e.urls in
   if not (Rat.equal file.length length) then
     refuse e ~hint:"write the lengths in both files in one unit, and state it in both"
       "the prototype %s is in a file with another unit of length" (Text.quote e.name);
   let found = chosen e url file ~depth in
   check_interface e url found.interface;
   t.following <- t.following - 1;
-  { found with interface = e.interface }
+  { found with interface = e.interface; body = once t e (path, name_of e url) found.body }

@@ -50,7 +50,20 @@ let is_normal = function
   | w :: numbers ->
     String.equal (keyword w) "normal" && List.compare_length_with numbers 3 = 0 && List.for_all is_number numbers
 
+(* If all is on one line, each keyword begins one in place of the blank before it. *)
+let in_lines text =
+  let starts = [ "facet"; "outer"; "vertex"; "endloop"; "endfacet"; "endsolid"; "solid" ] in
+  let is_facet w = String.equal (keyword w) "facet" in
+  match next_line text 0 with
+  | Some (_ :: rest, next) when Option.is_none (next_line text next) && List.exists is_facet rest ->
+    let lines = Bytes.of_string text in
+    let begin_line w = if List.mem (keyword w) starts then Bytes.set lines (w.start - 1) '\n' in
+    List.iter begin_line rest;
+    Bytes.unsafe_to_string lines
+  | _ -> text
+
 let ascii ~path text soup =
+  let text = in_lines text in
   let odd = ref None in
   let rec between last position =
     match next_line text position with

@@ -1,6 +1,7 @@
 (** STL files, ASCII and binary. They have triangles only, without shared vertices. Equal points become one
     vertex, triangles with two equal corners are dropped, and {!Merge_coplanar} makes maximal faces. Normals
-    and attributes are not used: the order of the corners orients a triangle. *)
+    and attributes are not used: the order of the corners orients a triangle. All of an ASCII file may be
+    on one line. *)
 
 open Scc_base
 open Scc_geometry

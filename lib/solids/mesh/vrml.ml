@@ -48,7 +48,7 @@ type reader = {
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
   scope : Scene.scope;
-  fields : Scene.fields option;  (* of the prototype whose body this is *)
+  fields : (Scene.interface * Scene.fields) option;  (* of the prototype whose body this is *)
 }
 
 (* The words of a body, and the prototypes that it can use: those declared before it. *)
@@ -134,6 +134,7 @@ let rec outer_interface r at found =
       match (access_of w.text, rest) with
       | Some access, kind :: field :: rest when is_name kind && is_name field ->
         r.left <- rest;
+        Scene_type.check ~path:r.path kind;
         outer_interface r at ({ Scene.field; type_ = kind.text; access } :: found)
       | None, _ when found <> [] && begins_value w rest ->
         Scene.bad ~path:r.path w "a field of an EXTERNPROTO has no value: the other file gives it one"
@@ -208,8 +209,8 @@ and own_prototype r name interface fields body =
     Scene.spend ~path (Scene_library.room r.library) kind body.length;
     let prototypes = Scene.within name body.known in
     let inner =
-      reader ~library:r.library ~path:r.path ~first:r.first ~units:r.units ~prototypes ~fields:(Some fields)
-        body.words
+      reader ~library:r.library ~path:r.path ~first:r.first ~units:r.units ~prototypes
+        ~fields:(Some (interface, fields)) body.words
     in
     match contents inner depth with
     | node :: _ -> (node, all_changes inner)
@@ -219,7 +220,9 @@ and own_prototype r name interface fields body =
 
 and instance r depth at kind name (prototype : Scene_library.prototype) =
   Scene.opening r.names name;
-  let fields = Scene.given ~path:r.path kind prototype.interface prototype.fields (own_fields r depth at kind) in
+  let values = own_fields r depth at kind in
+  let fields = Scene.given ~path:r.path kind prototype.interface prototype.fields values in
+  Scene_type.check_values ~path:r.path ~quoted:true prototype.interface values;
   let node, changes = prototype.body ~path:r.path kind ~depth:(depth + 1) fields in
   let node = { node with name = (if Option.is_some name then name else node.name) } in
   r.changes <- List.rev_append changes r.changes;
@@ -248,9 +251,9 @@ and own_fields r depth at kind =
         r.left <- rest;
         check_once r kind fields;
         List.rev fields
-      | w :: { text = "IS"; _ } :: outer :: rest when is_name w && Option.is_some r.fields ->
+      | w :: ({ text = "IS"; _ } as is) :: outer :: rest when is_name w ->
         r.left <- rest;
-        let value = Scene.connected ~path:r.path (Option.get r.fields) outer in
+        let value = Scene_type.connected ~path:r.path is r.fields r.prototypes ~kind w outer in
         go (match value with Some value -> (w, value) :: fields | None -> fields)
       | w :: rest when is_name w ->
         r.left <- rest;
@@ -302,10 +305,23 @@ and interface r depth at found =
       match (access_of w.text, rest) with
       | Some access, kind :: field :: rest ->
         r.left <- rest;
-        let default = match access with In | Out -> None | Field | Exposed | Unsaid -> Some (value r depth) in
+        Scene_type.check ~path:r.path kind;
+        let default =
+          match access with
+          | In | Out -> None
+          | Field | Exposed | Unsaid -> Some (default r depth field ~type_:kind.text)
+        in
         interface r depth at (({ Scene.field; type_ = kind.text; access }, default) :: found)
       | _ -> no_field r w)
   | [] -> open_interface r at
+
+and default r depth field ~type_ =
+  (match r.left with
+   | w :: rest when w.text <> "]" && begins_value w rest -> ()
+   | _ -> Scene.bad ~path:r.path field "the field %s of the prototype has no value" (quote field.text));
+  let value = value r depth in
+  Scene_type.check_value ~path:r.path ~quoted:true field ~type_ value;
+  value
 
 and value r depth =
   match r.left with

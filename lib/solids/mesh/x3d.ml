@@ -20,7 +20,7 @@ type reader = {
   mutable changes : Scene.change list;  (* by the routes of prototypes *)
   mutable prototypes : (string * body Scene.prototype) list;
   scope : Scene.scope;
-  fields : Scene.fields option;  (* of the prototype whose body this is *)
+  fields : (Scene.interface * Scene.fields) option;  (* of the prototype whose body this is *)
   mutable opened : element list;  (* the innermost first; the last one is the file *)
   mutable depth : int;
   mutable containers : string list;  (* those that were there *)
@@ -97,7 +97,9 @@ let finish r element =
         if not (is "ProtoInstance" tag || String.equal node.kind.text tag.name.text) then
           Scene.bad ~path:r.path tag.name "%s is the name of a node %s, and this is a %s" (quote name.text)
             node.kind.text tag.name.text;
-        match (fields r tag, List.rev element.inside) with
+        (* The DTD wants the name of the prototype there too. *)
+        let no_field ((w : word), _) = is "ProtoInstance" tag && String.equal w.text "name" in
+        match (List.filter (fun f -> not (no_field f)) (fields r tag), List.rev element.inside) with
         | [], [] -> put r element role node
         | (w, _) :: _, _ | [], (w, _) :: _ ->
           Scene.bad ~path:r.path w "a node that is used again, by `USE`, has no fields of its own")
@@ -199,17 +201,15 @@ let after r tag rest =
 (* {1 Prototypes} *)
 
 (* A field with the value of a field of the prototype, for each `connect` of an `IS`. *)
-let connections r (is : tag) tags =
-  match r.fields with
-  | None -> Scene.bad ~path:r.path is.name "an IS stands outside of the body of a prototype"
-  | Some fields ->
-    let one ((tag : tag), inside) =
-      ignore (elements r tag [] inside);
-      let word key = { text = needed r tag key; start = tag.name.start } in
-      let value = Scene.connected ~path:r.path fields (word "protoField") in
-      Option.map (fun value -> (word "nodeField", value)) value
-    in
-    List.filter_map one (elements r is [ "connect" ] tags)
+let connections r ~kind (is : tag) tags =
+  if Option.is_none r.fields then Scene_type.no_prototype ~path:r.path is.name;
+  let one ((tag : tag), inside) =
+    ignore (elements r tag [] inside);
+    let own = needed_word r tag "protoField" and field = needed_word r tag "nodeField" in
+    let value = Scene_type.connected ~path:r.path is.name r.fields r.prototypes ~kind field own in
+    Option.map (fun value -> (field, value)) value
+  in
+  List.filter_map one (elements r is [ "connect" ] tags)
 
 (* [name]: of the element that has the nodes, "" for the file. *)
 let empty_root name =
@@ -248,7 +248,7 @@ let rec contents r ~of_element tags =
         | "IS" ->
           let inside, rest = split r tag rest in
           let element = List.hd r.opened in
-          element.connected <- List.rev_append (connections r tag inside) element.connected;
+          element.connected <- List.rev_append (connections r ~kind:element.tag.name tag inside) element.connected;
           go rest
         | name when List.mem name passed_over -> go (after r tag rest)
         | name when String.length name > 0 && name.[0] = '/' -> close r tag; go rest
@@ -287,7 +287,9 @@ and declare r tag rest =
   Scene.declare ~path:r.path r.scope name;
   let field ((tag : tag), inside) =
     let own, event = X3d_text.inner_field r.text (tag, inside) in
-    (own, if event then None else Some (Option.value (value_of r tag inside) ~default:(Scene.Words [])))
+    let value = if event then None else value_of r tag inside in
+    Option.iter (Scene_type.check_value ~path:r.path ~quoted:false own.field ~type_:own.type_) value;
+    (own, if event then None else Some (Option.value value ~default:(Scene.Words [])))
   in
   let all = List.map field (elements r interface [ "field" ] fields) in
   let interface = List.map fst all in
@@ -337,7 +339,7 @@ and own_prototype r prototype interface fields body =
         r with
         names = Scene.names (); routes = []; changes = []; prototypes = Scene.within prototype body.known;
         scope = Scene.scope ();
-        fields = Some fields;
+        fields = Some (interface, fields);
         opened = []; depth;
       }
     in
@@ -354,10 +356,11 @@ and expand r tag inside (prototype : Scene_library.prototype) =
   in
   Scene.opening r.names name;
   let own, values = List.partition (fun (t, _) -> is "IS" t) (elements r tag [ "IS"; "fieldValue" ] inside) in
-  let connected = List.concat_map (fun (is, inside) -> connections r is inside) own in
-  let values = List.map field values @ connected in
   let kind = { tag.name with text = Option.value (value r tag "name") ~default:"" } in
+  let connected = List.concat_map (fun (is, inside) -> connections r ~kind is inside) own in
+  let values = List.map field values @ connected in
   let fields = Scene.given ~path:r.path kind prototype.interface prototype.fields values in
+  Scene_type.check_values ~path:r.path ~quoted:false prototype.interface values;
   let node, changes = prototype.body ~path:r.path tag.name ~depth:r.depth fields in
   let node = { node with name = (if Option.is_some name then name else node.name) } in
   r.changes <- List.rev_append changes r.changes;

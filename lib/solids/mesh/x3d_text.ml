@@ -43,9 +43,13 @@ let declared t tag =
     | Some "outputOnly" -> Out
     | Some "initializeOnly" -> Field
     | Some "inputOutput" -> Exposed
-    | Some _ | None -> Unsaid
+    | None -> Unsaid
+    | Some other ->
+      Scene.bad ~path:t.path (needed_word t tag "accessType")
+        "%s is no access of a field: inputOnly, outputOnly, initializeOnly or inputOutput" (Text.quote other)
   in
   let type_ = Option.value (value_of t tag "type") ~default:"" in
+  if Option.is_some (attribute tag "type") then Scene_type.check ~path:t.path (needed_word t tag "type");
   { Scene.field = needed_word t tag "name"; type_; access }
 
 (* Where a value of a field stands. *)

@@ -38,7 +38,46 @@ let is_of_atoms text position =
   in
   among 2 position
 
-let read ~path text =
+(* {1 Other separators} *)
+
+let count c (w : word) = String.fold_left (fun n other -> if other = c then n + 1 else n) 0 w.text
+
+let rec for_all_lines test text position =
+  match next_line text position with
+  | None -> true
+  | Some (words, next) -> test words && for_all_lines test text next
+
+let blanked c text = String.map (fun other -> if other = c then ' ' else other) text
+
+(* A comma may be one of a decimal. If a line has three numbers with two commas between them, it is none. *)
+let separated ~path text =
+  let has c words = List.exists (fun w -> count c w > 0) (List.filteri (fun i _ -> i < 3) words) in
+  let some c = not (for_all_lines (fun words -> not (has c words)) text 0) in
+  let three words =
+    let commas = List.fold_left (fun n w -> n + count ',' w) 0 words in
+    let line = String.concat " " (List.map (fun (w : word) -> w.text) words) in
+    let values = List.filter (fun v -> v <> "") (String.split_on_char ' ' (blanked ',' line)) in
+    let between = List.for_all (fun v -> String.trim v <> "") (String.split_on_char ',' line) in
+    (commas = 0 && List.compare_length_with words 1 = 0) || (commas = 2 && List.length values = 3 && between)
+  in
+  match (some ',', some ';') with
+  | false, false -> Ok text
+  | false, true -> Ok (blanked ';' text)
+  | true, false when for_all_lines three text 0 -> Ok (blanked ',' text)
+  | true, _ ->
+    let rec first position =
+      match next_line text position with
+      | None -> Span.of_file path
+      | Some (words, next) -> (
+          match List.find_opt (fun w -> count ',' w > 0) words with
+          | Some w -> Span.make ~file:path ~start:w.start ~stop:(w.start + String.length w.text)
+          | None -> first next)
+    in
+    Error
+      (Diag.error Code.bad_mesh (first 0) "commas may be parts of decimals or stand between numbers here"
+         ~hint:"write blanks between numbers, and points in decimals")
+
+let read_lines ~path text =
   match next_line text 0 with
   | None -> error_at ~path 0 "the file has no points"
   | Some ([ head ], next) when is_of_atoms text next ->
@@ -51,3 +90,7 @@ let read ~path text =
   | Some _ ->
     let* list, _ = points ~path text 0 in
     Ok (ifs list [])
+
+let read ~path text =
+  let* text = separated ~path text in
+  read_lines ~path text

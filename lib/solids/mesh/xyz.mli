@@ -1,6 +1,7 @@
 (** XYZ files of points, as scanners write them: a line [x y z] for each point. The rest of the line (normals,
     colours, …) is ignored. The first line may be the number of points, as in CGAL. Files of atoms in chemistry
-    have the same ending; they contain letters, and are refused. *)
+    have the same ending; they contain letters, and are refused. Semicolons may stand between numbers, and commas
+    if each line has three numbers with two commas: other commas may be those of decimals, and are refused. *)
 
 open Scc_base
 open Scc_geometry

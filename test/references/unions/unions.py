@@ -5,7 +5,8 @@
 
 Solids are boxes, hulls of points, and prisms over stars, on a small grid, so that they often share faces, edges or
 corners. Others are copies: at the same place, inside, or beside the first one, with a face, an edge or a corner in
-common. Some are hollows. The whole may be turned, made huge or tiny, and its faces come in any order.
+common. Some are hollows, which are refused if they reach out of the solids (SC0309). The whole may be turned, made
+huge or tiny, and its faces come in any order.
 
 Each solid is known by convex pieces, each by its faces. The arrangement splits them until they are disjoint, and adds
 up how often each piece of space is surrounded. So the volume of what is surrounded at least once is known exactly. The
@@ -328,6 +329,10 @@ def compare(scc, folder, seed, points):
     volume = six_volumes_of_union([(sign, pieces) for sign, (_, pieces) in solids])
     names = ["--names"] if chance.random() < 0.3 else []
     done = subprocess.run([scc, "decompose", "--union", path, "-o", out, *names], capture_output=True, text=True)
+    solid = six_volumes_of_union([(1, pieces) for sign, (_, pieces) in solids if sign > 0])
+    if solid != six_volumes_of_union([(1, pieces) for _, (_, pieces) in solids]):
+        # A hollow reaches out of the solids.
+        return (None if done.returncode == 3 and "SC0309" in done.stderr else "a hollow reaches out"), 0
     if volume == 0:
         return (None if done.returncode == 3 and re.search("SC03", done.stderr) else "nothing is surrounded"), 0
     if done.returncode != 0:

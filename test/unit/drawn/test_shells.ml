@@ -37,6 +37,7 @@ let verdict (set : Polyhedron.ifs) =
   | Error (Pieces (Apart (f, g))) -> Printf.sprintf "%s apart from %s" (face f) (face g)
   | Error (Pieces (Island (f, g))) -> Printf.sprintf "%s in a hollow of %s" (face f) (face g)
   | Error (Pieces (Outward f)) -> face f ^ " outward"
+  | Error (Inside_out { face = f; _ }) -> face f ^ " inside out"
   | Error Nothing -> "nothing at all"
   | Error (Too_many _) -> "too many"
   | Error (Unsound (Cut (f, g, x))) ->
@@ -163,13 +164,13 @@ let orienting_is_right list =
   let corner (vertices, _) k = snd (List.nth vertices k) in
   let less (a : Vec.t) (b : Vec.t) = List.for_all (fun of_ -> Rat.compare (of_ a) (of_ b) < 0) parts in
   let within b c = less (corner c 0) (corner b 0) && less (corner b 6) (corner c 6) in
-  let set, _ = Shells.oriented (set_of_boxes list) in
+  let set = match Oriented.make (set_of_boxes list) with Ok t -> t.set | Error why -> Alcotest.fail why in
   let right i b =
     let faces = Array.sub set.ifs_faces (6 * i) 6 in
     let depth = List.length (List.filter (within b) list) in
     Bool.equal (depth mod 2 = 0) (Rat.sign (Drawn.volume { set with ifs_faces = faces }) > 0)
   in
-  List.length list < 2 || List.for_all Fun.id (List.mapi right list)
+  List.for_all Fun.id (List.mapi right list)
 
 (* {1 Triangles} *)
 

@@ -97,7 +97,7 @@ let prototypes =
     ("files that use each other", of_other "needs.wrl#C" "A { }", "SC0321 in need.wrl");
     ("one that leads to itself", of_other "ring.wrl#A" "A { }", "SC0321 in chain.wrl");
     ("a body in itself", of_other "mutual.wrl#C" "A { }", "SC0321 in mutual2.wrl");
-    ("a body in itself, declared", of_other "mutual3.wrl#C" "A { }", "SC0320 in mutual3.wrl");
+    ("a body in itself, declared", of_other "mutual3.wrl#C" "A { }", "SC0321 in mutual4.wrl");
     ("no file", of_other "none.wrl" "A { }", "SC0321 in t.wrl");
     ("above", of_other "../protos.wrl" "A { }", "SC0321 in t.wrl");
     ("no address", "EXTERNPROTO A [ ] [ ] A { }", "SC0321 in t.wrl");
@@ -106,7 +106,7 @@ let prototypes =
     ("no scene", of_other "no.wrl" "A { }", "SC0321 in no.wrl");
     ("an unknown field", of_other "protos.wrl" "A { t 1 }", "SC0321 in t.wrl");
     ("an event", of_other ~fields:"eventIn SFTime go" "protos.wrl" "A { go 1 }", "SC0321 in t.wrl");
-    ("a fault in a value", of_other ~fields:size "protos.wrl" "A { s 1 }", "SC0320 in protos.wrl");
+    ("a fault in a value", of_other ~fields:size "protos.wrl" "A { s 1 }", "SC0320 in t.wrl");
     ("a fault in its body", of_other "short.wrl" "A { }", "SC0320 in short.wrl");
     ("a fault in its body, X3D", of_other "short.x3d" "A { }", "SC0320 in short.x3d");
     ("a fault of its tags", of_other "late.x3d" "A { }", "SC0320 in late.x3d");
@@ -176,7 +176,7 @@ let xml_cases =
     ("a fault in its body", use "short.x3d" instance, "SC0320 in short.x3d");
     ("no file", use "none.x3d" instance, "SC0321 in t.x3d");
     ("no address", "<ExternProtoDeclare name='A'/>" ^ instance, "SC0321 in t.x3d");
-    ("a body in itself", use "mutual3.wrl#C" instance, "SC0320 in mutual4.wrl");
+    ("a body in itself", use "mutual3.wrl#C" instance, "SC0321 in mutual4.wrl");
   ]
 
 let check_xml (what, body, expected) = check_in "t.x3d" "" (what, "<Scene>" ^ body ^ "</Scene>", expected)

@@ -28,6 +28,8 @@ let off ?(head = "OFF") ?(counts = "4 4 6") ?(vertex = "") ?(face = "") ?(more =
   let vertices = List.map (fun v -> v ^ vertex) corners in
   lines ((head :: counts :: vertices) @ List.map (fun f -> "3 " ^ numbers f ^ face) faces) ^ more
 
+let on_one_line text = String.map (function '\n' -> ' ' | c -> c) text
+
 let rest head vertex = (head ^ vertex, off ~head ~vertex (), full)
 
 let offs =
@@ -59,7 +61,12 @@ let offs =
     ("five numbers after a face", off ~face:" 1 0 0 1 1" (), "SC0320 7:9");
     ("a word after a face", off ~face:" red" (), "SC0320 7:9"); ("more lines", off ~more:"1\n" (), "SC0320 11:1");
     ("an edge as a face", off ~counts:"4 5 6" ~more:"2 0 1\n" (), "SC0320 11:1");
-    ("several on a line", "OFF 4 4 6 0 0 0 1 0 0\n", "SC0320 1:11");
+    ("too little on one line", "OFF 4 4 6 0 0 0 1 0 0\n", "SC0320 1:21");
+    ("on one line", on_one_line (off ()), full);
+    ("on one line, with more", on_one_line (off ~more:"1\n" ()), "SC0320 1:70");
+    ("on one line, with colours", on_one_line (off ~face:" 1 1 1" ()), "SC0320 1:46");
+    ("small letters", off ~head:"off" (), full); ("a great letter", off ~head:"Off" (), full);
+    ("small letters of another keyword", off ~head:"coff" (), "SC0320 1:1");
   ]
 
 (* {1 OBJ} *)
@@ -268,7 +275,8 @@ let stls =
     ("one solid", solid all, full); ("a name of words", solid ~name:" a b c" all, full);
     ("two solids", solid [ List.hd all ] ^ solid (List.tl all), full);
     ("a facet without area", solid (facet [ 0; 0; 1 ] :: all), full);
-    ("capitals", String.uppercase_ascii (solid all), full);
+    ("capitals", String.uppercase_ascii (solid all), full); ("on one line", on_one_line (solid all), full);
+    ("capitals on one line", on_one_line (String.uppercase_ascii (solid all)), full);
     ("four corners", solid [ facet [ 0; 1; 2; 3 ] ], "SC0320 7:3");
     ("no end", "solid\n" ^ join "" all, "SC0320 29:1"); ("words after it", solid all ^ "more\n", "SC0320 31:1");
     ("colours", stl_binary ~bytes:(fun _ -> "\031\128") (), full);
@@ -304,7 +312,13 @@ let xyzs =
     ("atoms, with their number", "1\nwater\nO 0 0 0\n", "SC0320 1:1");
     ("two coordinates", xyz_lines ~more:"1 2\n" (), "SC0320 5:1");
     ("commas", xyz_lines ~more:"1,2,3\n" (), "SC0320 5:1");
-    ("semicolons", xyz_lines ~more:"1;2;3\n" (), "SC0320 5:1");
+    ("semicolons", String.map (function ' ' -> ';' | c -> c) (xyz_lines ()), cloud);
+    ("semicolons on one line", xyz_lines ~more:"1;2;3\n" (), "(0, 0, 0) (5/4, 2, 3) no solid");
+    ("commas on each line", String.map (function ' ' -> ',' | c -> c) (xyz_lines ~head:"4\n" ()), cloud);
+    ("commas of decimals", "0,0 0,0 0,0\n1,5 0,0 1\n", "SC0320 1:1");
+    ("commas of six numbers", "0,0,0,1,1,1\n", "SC0320 1:1");
+    ("commas and semicolons", "0,5;1;2\n", "SC0320 1:1");
+    ("a comma after the point", xyz_lines ~rest:" red,green" (), cloud);
     ("hexadecimal", xyz_lines ~more:"0x1 0 0\n" (), "SC0320 5:1");
     ("not finite", xyz_lines ~more:"nan 0 0\n" (), "SC0320 5:1");
     ("infinite", xyz_lines ~more:"0 inf 0\n" (), "SC0320 5:3");

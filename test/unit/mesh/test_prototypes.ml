@@ -45,6 +45,10 @@ let places =
       brick_xml
         "<Switch><ProtoInstance name='Brick' DEF='B'><fieldValue name='s' value='2 4 6'/></ProtoInstance></Switch>\
          <ProtoInstance USE='B'/>", flat );
+    ( "used again, XML, with its name",
+      brick_xml
+        "<Switch><ProtoInstance name='Brick' DEF='B'><fieldValue name='s' value='2 4 6'/></ProtoInstance></Switch>\
+         <ProtoInstance name='Brick' USE='B'/>", flat );
     ("nodes", vrml (holder_vrml ^ "Holder { at 1 0 0 c [ " ^ unit_box ^ " ] }"), moved);
     ( "nodes, XML",
       xml
