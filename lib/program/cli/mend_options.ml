@@ -29,7 +29,8 @@ let orient =
     "Turns faces over so that all are counter-clockwise from outside, and names them. A piece that lies within a \
      solid is taken for a hollow of it, whose faces look into the hollow, and a piece in a hollow for a solid. \
      Both may touch. Any other closed piece that is inside out is turned over, unless others together surround \
-     all of it. Whether solids touch or share faces, and $(b,--weld), make no difference."
+     all of it. Whether they touch makes no difference, nor does $(b,--weld) if each piece is \
+     closed before it."
 
 let merge =
   Options.flag [ "merge" ]

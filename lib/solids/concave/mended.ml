@@ -41,7 +41,7 @@ let apply o set =
     Ok (set, [ ("merge", line) ])
   in
   let* set, merged = wanted o.merge merge set in
-  Ok (set, gridded @ early @ welded @ late @ merged)
+  Ok (set, gridded @ welded @ early @ late @ merged)
 
 (* {1 What helps} *)
 

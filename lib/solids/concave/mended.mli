@@ -7,8 +7,8 @@ open Scc_geometry
 type t = { grid : Rat.t option; weld : bool; orient : bool; merge : bool }
 
 val apply : t -> Polyhedron.ifs -> (Polyhedron.ifs * (string * string) list, string) result
-(** [apply t set] is the changed set, with the name of each change and a sentence on its effect. [Error] says why
-    the faces cannot be oriented (SC0303).
+(** [apply t set] is the changed set, with the name of each change and a sentence on its effect, in the order of
+    the fields. [Error] says why the faces cannot be oriented (SC0303).
 
     Merging has two steps: corners within edges of other faces become corners of these ({!Fitted}), before faces
     are oriented, since a piece is only turned if it is closed. Where all pieces are closed before

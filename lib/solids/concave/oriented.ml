@@ -67,7 +67,7 @@ let places pieces (set : Polyhedron.ifs) =
   Array.iteri of_sheet sheets;
   Some (Hashtbl.fold (fun count () all -> count :: all) found [])
 
-let has count k = List.exists (fun (l, n) -> l = k && n > 0) count
+let has count k = List.exists (fun (l, n) -> Int.equal l k && n > 0) count
 
 (* True for hollows. *)
 let hollows (set : Polyhedron.ifs) pieces =

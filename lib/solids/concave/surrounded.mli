@@ -27,6 +27,7 @@ val sides : t -> int -> Homogeneous.t array -> sides option
     several polygons of one direction cover the piece, it is [None] for all but the first of them. *)
 
 val total : count -> int
+(** [total count] is the sum of what all polygons add: how often a place is surrounded. *)
 
 val of_pieces : int array -> count -> (int * int) list
 (** [of_pieces pieces count] is what each piece adds to a count, in order and without zeros. The array has the

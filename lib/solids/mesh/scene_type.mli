@@ -9,7 +9,8 @@ val check_value : path:string -> quoted:bool -> Text.word -> type_:string -> Sce
     known of the type [""]. Strings have quotes around them if [quoted]. *)
 
 val check_values : path:string -> quoted:bool -> Scene.interface -> (Text.word * Scene.value) list -> unit
-(** {!check_value} of the values that an instance of a prototype gives to its fields. *)
+(** [check_values ~path ~quoted interface values] is {!check_value} of each value that an instance of a prototype
+    gives to its fields, which are declared in [interface]. *)
 
 val no_prototype : path:string -> Text.word -> 'a
 (** An [IS] that is in no prototype: raises {!Scene.Refused}. *)
