@@ -18,4 +18,4 @@ val of_run : Loaded.t -> string -> ?check:string -> Scc_explain.Witness.t -> int
 
 val of_witness :
   Loaded.t -> string -> Scc_property.Property.check -> Scc_explain.Witness.t -> int * Schedule.t
-(** {!of_run} for the witness of a property. *)
+(** [of_witness loaded path check witness] is {!of_run} for the witness of a property. *)

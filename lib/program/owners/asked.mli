@@ -18,10 +18,10 @@ val attained : Rat.t -> Timeline.moment
 (** The moment of a state that is reached at this time. *)
 
 val counts : goal -> Rat.t -> bool
-(** Whether a state that is reached at this time may meet the goal. *)
+(** [counts goal time] is true if a state that is reached at this time may meet the goal. *)
 
 val asks : Rat.t -> goal -> bool
-(** Whether states that are reached at this time matter to the goal. *)
+(** [asks time goal] is true if states that are reached at this time matter to the goal. *)
 
 val decide : goal array -> Rat.t -> Round.t -> int option
 (** [decide goals now round] decides what a round of states that are reached at [now] decides. The result is the

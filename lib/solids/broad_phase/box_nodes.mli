@@ -15,7 +15,7 @@ val heads : int
 (** The number of heads. *)
 
 val is_head : int -> bool
-(** Whether a node is a head. *)
+(** [is_head i] is true if the node [i] is a head. *)
 
 val child : t -> int -> int -> int
 (** [child t i side] is a child of the node [i]. *)
@@ -27,7 +27,7 @@ val leaf_parent : t -> int -> int
 (** [leaf_parent t key] is the parent of a leaf, or -1 if there is no leaf with this key >= 0. *)
 
 val is_free : t -> int -> bool
-(** Whether a node belongs to no tree at present. *)
+(** [is_free t i] is true if the node [i] belongs to no tree at present. *)
 
 val height : t -> int -> int
 (** The height of a child: 0 for a leaf, and one more than the greater height of its children for a node. *)
@@ -47,10 +47,10 @@ val copy_box : t -> from:int -> int -> unit
 (** [copy_box t ~from at] keeps the box that is at [from] at [at], too. *)
 
 val meet : t -> int -> int -> bool
-(** Whether the boxes at two places have a common point. *)
+(** [meet t i j] is true if the boxes at these two places have a common point. *)
 
 val meets : t -> int -> Float_box.t -> bool
-(** Whether the box at a place and another one have a common point. *)
+(** [meets t at box] is true if the box at a place and [box] have a common point. *)
 
 val greatest_length : float
 (** Greater lengths count as this one, infinite ones as well. *)

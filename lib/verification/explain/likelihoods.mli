@@ -12,7 +12,8 @@ val measured : Eval.measured -> string
     outwards. *)
 
 val in_full : Eval.measured -> string option
-(** {!measured} with all digits, as ["1/3"] or ["in [1/4, 1/2]"]. [None] if {!measured} has them already. *)
+(** [in_full m] is {!measured} with all digits, as ["1/3"] or ["in [1/4, 1/2]"]. It is [None] if {!measured} has
+    them already. *)
 
 val known : Scc_property.Property.side -> Eval.measured -> string
 (** A measured probability as ["the least probability is 1/3"]. *)
