@@ -88,16 +88,31 @@ let pieces (set : Polyhedron.ifs) cycles =
   close joined;
   Array.init n (Union_find.find joined)
 
-(* A place that some piece surrounds less than no time, and none surrounds: the first face of such a piece. A piece
-   of positive volume goes through itself. *)
-let inside_out (set : Polyhedron.ifs) cycles sheets counts =
-  let of_face = pieces set cycles in
-  let of_sheet = Array.map (fun (s : Sheets.t) -> of_face.(s.face)) sheets in
-  let wrong count =
-    let sums = Surrounded.of_pieces of_sheet count in
-    if List.exists (fun (_, n) -> n > 0) sums then [] else List.map fst sums
-  in
-  match List.sort_uniq Int.compare (List.concat_map wrong counts) with
+(* What was seen of the pieces, over all places. *)
+type seen = {
+  mutable wrong : int list;  (** of places that pieces surround less than no time, and none surrounds: these *)
+  left : (int, unit) Hashtbl.t;  (** those of which something is in the union *)
+  taken : (int, int) Hashtbl.t;  (** of others that surround a place: one that is inside out there *)
+}
+
+let nothing_seen () = { wrong = []; left = Hashtbl.create 16; taken = Hashtbl.create 16 }
+
+let see seen of_sheet count =
+  let sums = Surrounded.of_pieces of_sheet count and total = Surrounded.total count in
+  let solid, inward = List.partition (fun (_, n) -> n > 0) sums in
+  if total > 0 then List.iter (fun (p, _) -> Hashtbl.replace seen.left p ()) solid
+  else
+    match (solid, inward) with
+    | [], _ -> seen.wrong <- List.map fst inward @ seen.wrong
+    | _, (q, _) :: _ -> List.iter (fun (p, _) -> Hashtbl.replace seen.taken p q) solid
+    | _, [] -> ()
+
+(* Pieces that are inside out where no solid is around them, or that take a solid away whole: the first face of one.
+   A piece of positive volume goes through itself. *)
+let inside_out (set : Polyhedron.ifs) of_face seen =
+  let lost p q all = if Hashtbl.mem seen.left p then all else q :: all in
+  let whole = if Hashtbl.length seen.left > 0 then Hashtbl.fold lost seen.taken [] else [] in
+  match List.sort_uniq Int.compare (whole @ seen.wrong) with
   | [] -> Ok ()
   | wrong -> (
       let turned piece =
@@ -127,18 +142,16 @@ let left ~tick ~shows space (sheets : Sheets.t array) k =
 type rest = Whole | Pieces of Homogeneous.t array list
 
 (* Of each polygon: a piece of it is in the surface of the union if what is behind is inside, and what is in front
-   is not. Also the counts below zero. *)
-let rests ~tick sheets =
+   is not. [see] is called with the counts of all places. *)
+let rests ~tick ~see sheets =
   let space = Surrounded.make ~tick sheets in
-  let negative = ref [] in
   let shows k polygon =
     match Surrounded.sides space k polygon with
     | None -> false
     | Some { behind; front } ->
       let look count =
-        let n = Surrounded.total count in
-        if n < 0 then negative := count :: !negative;
-        n > 0
+        see count;
+        Surrounded.total count > 0
       in
       let inside = look behind and beyond = look front in
       inside && not beyond
@@ -162,7 +175,7 @@ let rests ~tick sheets =
     else Pieces []
   in
   let rests = Array.mapi rest sheets in
-  (rests, Array.mapi (fun k _ -> touched k) sheets, !negative)
+  (rests, Array.mapi (fun k _ -> touched k) sheets)
 
 (* {1 The surface} *)
 
@@ -230,8 +243,10 @@ let takes set = Option.is_some (prepared set) && Rat.sign (Drawn.volume set) > 0
 let surface ~tick (set : Polyhedron.ifs) =
   let* ((places, at_vertex, cycles, _) as prepared) = Option.to_result ~none:Not_closed (prepared set) in
   let sheets = sheets_of prepared in
-  let rests, touched, negative = rests ~tick sheets in
-  let* () = inside_out set cycles sheets negative in
+  let of_face = pieces set cycles and seen = nothing_seen () in
+  let of_sheet = Array.map (fun (s : Sheets.t) -> of_face.(s.face)) sheets in
+  let rests, touched = rests ~tick ~see:(see seen of_sheet) sheets in
+  let* () = inside_out set of_face seen in
   let whole = Array.map (fun _ -> true) set.ifs_faces in
   let look k (s : Sheets.t) = match rests.(k) with Whole -> () | Pieces _ -> whole.(s.face) <- false in
   Array.iteri look sheets;

@@ -5,8 +5,8 @@
 
 Solids are boxes, hulls of points, and prisms over stars, on a small grid, so that they often share faces, edges or
 corners. Others are copies: at the same place, inside, or beside the first one, with a face, an edge or a corner in
-common. Some are hollows, which are refused if they reach out of the solids (SC0309). The whole may be turned, made
-huge or tiny, and its faces come in any order.
+common. Some are hollows, which are refused (SC0309) if they reach out of the solids, or if they leave nothing of a
+solid. The whole may be turned, made huge or tiny, and its faces come in any order.
 
 Each solid is known by convex pieces, each by its faces. The arrangement splits them until they are disjoint, and adds
 up how often each piece of space is surrounded. So the volume of what is surrounded at least once is known exactly. The
@@ -319,6 +319,18 @@ def wrong_point(chance, solids, parts, count):
     return None
 
 
+def taken_whole(solids, volume):
+    """Whether hollows leave nothing of one of the solids: it adds all of its volume to the union."""
+    if all(sign > 0 for sign, _ in solids):
+        return False
+    signed = [(sign, pieces) for sign, (_, pieces) in solids]
+
+    def added(pieces):
+        return six_volumes_of_union(signed + [(len(solids), pieces)]) - volume
+
+    return any(added(pieces) == six_volumes_of_union([(1, pieces)]) for sign, pieces in signed if sign > 0)
+
+
 def compare(scc, folder, seed, points):
     """What is wrong, or None; and the number of parts."""
     chance = random.Random(seed)
@@ -335,6 +347,8 @@ def compare(scc, folder, seed, points):
         return (None if done.returncode == 3 and "SC0309" in done.stderr else "a hollow reaches out"), 0
     if volume == 0:
         return (None if done.returncode == 3 and re.search("SC03", done.stderr) else "nothing is surrounded"), 0
+    if taken_whole(solids, volume):
+        return (None if done.returncode == 3 and "SC0309" in done.stderr else "a solid is taken away whole"), 0
     if done.returncode != 0:
         return f"exit code {done.returncode}: {done.stderr}", 0
     with open(out, encoding="ascii") as file:
