@@ -107,8 +107,8 @@ let see seen of_sheet count =
     | _, (q, _) :: _ -> List.iter (fun (p, _) -> Hashtbl.replace seen.taken p q) solid
     | _, [] -> ()
 
-(* Pieces that are inside out where no solid is around them, or that take a solid away whole: the first face of one.
-   A piece of positive volume goes through itself. *)
+(* Pieces that are inside out where no solid is around them, or that take a solid away whole: the first face of
+   one. A piece of positive volume goes through itself. *)
 let inside_out (set : Polyhedron.ifs) of_face seen =
   let lost p q all = if Hashtbl.mem seen.left p then all else q :: all in
   let whole = if Hashtbl.length seen.left > 0 then Hashtbl.fold lost seen.taken [] else [] in
