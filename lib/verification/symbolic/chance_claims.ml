@@ -139,7 +139,8 @@ let not_after ~n bad states =
     Union.difference states (project before ~dimension:(n + 1))
 
 (* The states (y, d) of a trajectory at which the goal comes first, for sure or if the claim holds wherever it is
-   undecided; at which the goal, or the claim, is undecided; and at which the claim fails. *)
+   undecided; at which the goal is undecided, and neither has come nor was lost; at which the claim is undecided; and
+   at which it fails. *)
 type on_the_way = {
   won : Union.t;
   won_perhaps : Union.t;
@@ -160,6 +161,7 @@ let on_the_way t (z : Zone.t) =
   let lost = set (of_truth claim is_false) in
   let open_claim = set (of_truth claim is_open) and open_goal = set (in_window (of_truth goal is_open)) in
   let goal = set (in_window (of_truth goal is_true)) in
+  let open_goal = not_after ~n (Union.union lost goal) open_goal in
   {
     won = not_after ~n (Union.union lost open_claim) goal;
     won_perhaps = (if Union.is_empty open_claim then Union.empty (n + 1) else not_after ~n lost goal);
