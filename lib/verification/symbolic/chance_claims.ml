@@ -139,8 +139,8 @@ let not_after ~n bad states =
     Union.difference states (project before ~dimension:(n + 1))
 
 (* The states (y, d) of a trajectory at which the goal comes first, for sure or if the claim holds wherever it is
-   undecided; at which the goal is undecided, and neither has come nor was lost; at which the claim is undecided; and
-   at which it fails. *)
+   undecided; at which the goal is undecided, and neither has come nor was lost; at which the claim is undecided;
+   and at which it fails. *)
 type on_the_way = {
   won : Union.t;
   won_perhaps : Union.t;
