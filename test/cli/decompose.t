@@ -415,20 +415,20 @@ overlap:
   > END
   > }
   $ boxes 000:222 -100:422 > half.off; scc decompose --union half.off
-  error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is around them
+  error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is left around them
     hint: to mend it, add --orient
   [3]
   $ scc decompose --union --orient half.off | head -n 2
   oriented: 6 faces turned over: f6, f7, f8, f9, f10, f11
   half.off: 6 plane faces, 0 reflex edges, volume 16
   $ echo 'compound C = decompose "half.off" union mass 1' > half.sc; scc check half.sc 2>&1 | grep -v '|'
-  half.sc:1:24: error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is around them
+  half.sc:1:24: error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is left around them
     hint: write `orient` after the file: faces are turned over so that all look out of the solid
   $ echo 'shape C = mesh "half.off" union' > half.sc; scc check half.sc 2>&1 | grep -v '|'
-  half.sc:1:16: error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is around them
+  half.sc:1:16: error[SC0309]: `f6` and the faces around it are turned inward, and are no hollow: no solid is left around them
     hint: write `orient` after the file: faces are turned over so that all look out of the solid
   $ boxes -000:111 500:611 > lone.off; scc decompose --union lone.off 2>&1 | head -n 1
-  error[SC0309]: `f0` and the faces around it are turned inward, and are no hollow: no solid is around them
+  error[SC0309]: `f0` and the faces around it are turned inward, and are no hollow: no solid is left around them
 
 Two hollows may overlap. One within a solid stays one, also where both touch:
 
