@@ -615,6 +615,7 @@ def main():
     check_oracle(scc)
     check_estimates(scc)
     check_sweeps(scc)
+    print(f"{PASSED} passed, {FAILED} failed")
     if len(sys.argv) > 2:
         with open(sys.argv[2], "w", encoding="utf-8") as file:
             file.write(f"{PASSED} passed, {FAILED} failed\n")

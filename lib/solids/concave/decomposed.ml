@@ -26,7 +26,8 @@ let message (set : Polyhedron.ifs) : fault -> Scc_base.Code.t * string =
   | Pieces fault -> Shells.message set fault
   | Inside_out { face; whole = true } ->
     ( Code.inward_faces,
-      Printf.sprintf "`%s` and the faces around it are turned inward, and are no hollow: no solid is left around them"
+      Printf.sprintf
+        "`%s` and the faces around it are turned inward, and are no hollow: no solid is left around them"
         (fst set.ifs_faces.(face)) )
   | Inside_out { face; whole = false } ->
     ( Code.inward_faces,
