@@ -24,6 +24,7 @@ import response
 import steps
 import straight
 import terms
+import turning
 from lots import Lot, lots_wait
 from model import Leaf
 from oracle import Oracle
@@ -353,7 +354,7 @@ MISTAKES: Dict[str, Mistake] = {
     ),
     "Lot: laws are asked before": replaced(straight, "lots_wait", lambda state: False),
     "Lot: turns begin when all lots are drawn": replaced(
-        straight, "waits", lambda state: _waits(state) or lots_wait(state)
+        turning, "waits", lambda state: _waits(state) or lots_wait(state)
     ),
     "Lot: one process after the other": replaced(Rules, "drawings_of_lots", process_by_process),
     "Lot: one process releases after the other": replaced(
