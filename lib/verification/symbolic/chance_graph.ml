@@ -13,8 +13,6 @@ type limits = {
   progress : zones:int -> waiting:int -> depth:int -> unit;
 }
 
-exception Not_answered of string
-
 type met = { too_late : bool; too_deep : bool; too_many : bool; stopped : bool }
 
 (* {1 The graph} *)
@@ -119,10 +117,7 @@ let pass t next z (cell : Passing.due First.cell) =
   in
   cells (List.map on (Chance_claims.along t.claims z cell))
 
-let stop t next z (cell : Passing.due First.cell) =
-  if Chance_claims.depends_on_instants t.claims then
-    raise
-      (Not_answered "over starts, a mean of a time or of a number is not known where bonds may break at any time");
+let stop_at_some_time t next z (cell : Passing.due First.cell) =
   let halted = Passing.within t.context z cell in
   let splits set =
     let halted = { halted with set } in
@@ -136,9 +131,16 @@ let stop t next z (cell : Passing.due First.cell) =
     let ways = match met with Some tree -> [ (region, tree) ] | None -> splits region in
     List.map (fun (set, tree) -> (set, Chance_claims.one_of perhaps tree)) ways
   in
-  t.chain <- false;
   let ways = List.concat_map on (Chance_claims.along_until_stop t.claims z cell halted) in
   List.map (fun (set, tree) -> Stopping (set, tree)) ways
+
+(* The least of the values at all instants is attained if these are finitely many. *)
+let stop t next z cell =
+  t.chain <- false;
+  if Chance_claims.depends_on_instants t.claims then
+    let reason = "over starts, a mean of a time or of a number is not known where bonds may break at any time" in
+    [ Chance_claims.undecided t.claims reason ]
+  else stop_at_some_time t next z cell
 
 let by_itself t next (z : Zone.t) =
   let c = t.context in

@@ -19,15 +19,12 @@ type limits = {
 
 type t
 
-exception Not_answered of string
-(** A mean that is not computed, for this reason. *)
-
 (** The bounds that left zones unexpanded. *)
 type met = { too_late : bool; too_deep : bool; too_many : bool; stopped : bool }
 
 val explore : Instant.context -> Chance_claims.question -> limits -> Zone.t list -> t
 (** [explore c q limits zones] explores from disjoint zones over the parameters alone. Raises
-    {!Instant.Not_affine}, {!Law_cells.Bad_law}, {!Chance_steps.Bad} and {!Not_answered}. *)
+    {!Instant.Not_affine}, {!Law_cells.Bad_law} and {!Chance_steps.Bad}. *)
 
 val question : t -> Chance_claims.question
 (** What was explored for. *)
