@@ -14,7 +14,8 @@ type limits = {
   zones : int;  (** the greatest number of zones that are expanded *)
   stop : unit -> bool;  (** called before each zone; true stops the exploration *)
   attempt : 'a. (unit -> 'a) -> 'a option;  (** expands a zone; [None] if that is given up, which stops it, too *)
-  progress : zones:int -> waiting:int -> depth:int -> unit;
+  progress : zones:int -> waiting:int -> depth:int -> Zone.t -> unit;
+  (** called before a zone is expanded: how many were expanded, how many wait, its depth, and the zone *)
 }
 
 type t
@@ -53,7 +54,15 @@ val root : t -> Chance_tree.tree
 val count_layers : t -> int
 (** The number of layers of nodes. *)
 
-val layers : ?most:int -> t -> Chance_tree.node list list * Chance_tree.node list list
-(** [layers ?most t] is the nodes by layers, the last layer first: those of layers that are left out, and those of
-    the first [most] layers, which are all by default. Each node leads to nodes of layers before its own in these
-    lists alone. *)
+val solve :
+  ?most:int ->
+  progress:(sets:int -> all:int -> unit) ->
+  t ->
+  forget:(Chance_tree.node -> unit) ->
+  of_node:(Chance_tree.node -> unit) ->
+  unit ->
+  unit
+(** [solve ?most ~progress t ~forget ~of_node] calls [of_node] for each node of the first [most] layers, which are
+    all by default, after it was called for all nodes to which that one leads, and [forget] for all nodes of other
+    layers. It shows the number of nodes before each. The result calls [forget] for the nodes of the first layers.
+*)

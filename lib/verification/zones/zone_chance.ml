@@ -45,7 +45,8 @@ let pieces w graph { Zone_question.negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
   let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
   let mode = { Chance_value.choice; chance } in
-  let f = Chance_value.solve ~most:(most_layers w graph) graph mode ~parameters:(Array.length w.ranges) in
+  let most = most_layers w graph and parameters = Array.length w.ranges in
+  let f = Chance_value.solve ~most ~progress:(valued w) graph mode ~parameters in
   let known = function
     | p, Some (v : Piecewise.value) ->
       if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
@@ -142,7 +143,7 @@ let measured w sides (o : Zone_question.operator) =
 (* The ends of a mean on pieces that divide the box. Where all is known, one of them is enough. *)
 let mean_ends w graph s =
   let parameters = Array.length w.ranges and most = most_layers w graph in
-  let f unknown = Chance_mean.solve ~most graph { choice = side s; unknown } ~parameters in
+  let f unknown = Chance_mean.solve ~most ~progress:(valued w) graph { choice = side s; unknown } ~parameters in
   let pieces box f = Affine.pieces box f in
   let known = function
     | Some v -> v
