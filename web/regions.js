@@ -181,6 +181,8 @@ const Regions = (() => {
   function tint(k, value) {
     if (value === null) return "var(--quiet)";
     const end = (/** @type {string} */ x) => Rational.toNumber(Rational.of(x));
+    const known = where.numbers[k].values[value];
+    if (known.least === null && known.form !== undefined) return "var(--quiet)";
     const middle = where.numbers[k].values.map(({ least, most }) =>
       least === null ? Infinity : most === null ? end(least) : (end(least) + end(most)) / 2);
     const finite = middle.filter(Number.isFinite), low = Math.min(...finite), high = Math.max(...finite);

@@ -144,16 +144,19 @@ Means. A run that never comes to it makes the mean infinite. Comparisons say for
     d <= 4: 1
     mean 1/2 = 0.5
   
-  apart: undecided: a distance is not linear in what is not known
+  apart: 4 where it is known, for d in [3, 5]; mean not known: nothing is known for a share of 1, as far as is known: a distance is not linear in what is not known
     E = ? [ distance2(a, b) at 2 ]
-    its value is not known for all starts
+    d = 4 (no length): 4
+    d < 4: not known
+    d > 4: not known
+    mean not known: nothing is known for a share of 1
   
   rest: undecided: over starts, `quiescent` is not known in an operator with a probability, or in a mean
     E = ? [ time U quiescent ]
     its value is not known for all starts
   
   explored: 17 states, 12 transitions, depth 2; not complete
-  8 properties: 1 violated, 5 measured, 2 undecided
+  8 properties: 1 violated, 5 measured, 1 within an interval, 1 undecided
   [1]
   $ for d in 3 4 5; do scc check meet.sc -D d=$d --check push --check many --check far | grep '^[pmf]'; done
   far: infinite
@@ -227,13 +230,102 @@ Where bonds may break at any time, happenings are counted, and times have no lea
     everywhere: 1
     mean 1
   
-  when: undecided: over starts, a mean of a time or of a number is not known where bonds may break at any time
+  when: at least d - 2, not known better, for d in [3, 4], as far as is known: over starts, a mean of a time or of a number is not known where bonds may break at any time
     Emin = ? [ time U event weak ]
-    its value is not known for all starts
+    everywhere: at least d - 2, not known better
+    mean at least 3/2 = 1.5
   
-  explored: 4 states, 3 transitions, depth 3; not complete
-  2 properties: 1 measured, 1 undecided
+  explored: 7 states, 5 transitions, depth 3; not complete
+  2 properties: 1 measured, 1 within an interval
   [2]
+
+A number at a time has no mean at starts at which a run may have lost it. All others have theirs. The mean over a uniform
+start does not depend on starts without length, and nothing is known of it if there are more:
+
+  $ cat > gone.sc << 'END'
+  > model gone
+  > timestep 1
+  > param d in [0, 1]
+  > import <solids>
+  > process w = solids.Cube(1) mass 1 at translate (d, 0, 0) [nil]
+  > fixed outlet = solids.Cube(1) absorb at translate (-2, 0, 0)
+  > motion w = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight 1 }
+  > check once  : E = ? [ x(w) at 1 ]
+  > check test  : E <= 1/2 [ x(w) at 1 ]
+  > check twice : E = ? [ x(w) at 3/2 ]
+  > END
+  $ scc check gone.sc --where
+  semantics 3: timestep 1
+  
+  once: d where it is known, for d in [0, 1]; mean 1/2 = 0.5, as far as is known: `w` is gone, and nowhere: ask for `gone(w)` first
+    E = ? [ x(w) at 1 ]
+    d > 0: d
+    d = 0 (no length): not known
+    mean 1/2 = 0.5
+  
+  test: violated for d = 2/3
+    E <= 1/2 [ x(w) at 1 ]
+    no single run shows it: everything that counts was explored
+    holds where
+      0 < d <= 1/2
+    fails where
+      d > 1/2
+    not known elsewhere
+    probability 1/2 = 0.5
+  
+  twice: d where it is known, for d in [0, 1]; mean not known: nothing is known for a share of 1/2 = 0.5, as far as is known: `w` is gone, and nowhere: ask for `gone(w)` first
+    E = ? [ x(w) at 3/2 ]
+    d > 1/2: d
+    d <= 1/2: not known
+    mean not known: nothing is known for a share of 1/2 = 0.5
+  
+  explored: 24 states, 22 transitions, depth 5; not complete
+  3 properties: 1 violated, 2 within an interval
+  [1]
+  $ scc check gone.sc --where --json --check once | grep -A3 -E '"(unknown|mean)"'
+            "mean": {"low": "1/2", "high": "1/2"},
+            "parts": [
+              {
+                "low": "0/1",
+  --
+            "unknown": {
+              "pieces": [[{"coefficients": {"d": "1/1"}, "relation": "=", "bound": "0/1"}]],
+              "measure": "0/1"
+            }
+  --
+            "mean": {"low": "1/2", "high": "1/2"},
+            "parts": [
+              {
+                "low": "0/1",
+  --
+            "unknown": {
+              "pieces": [[{"coefficients": {"d": "1/1"}, "relation": "=", "bound": "0/1"}]],
+              "measure": "0/1"
+            }
+  $ scc check gone.sc --where --json --check twice | grep -A3 -E '"(unknown|mean)"'
+            "mean": null,
+            "parts": [
+              {
+                "low": "1/2",
+  --
+            "unknown": {
+              "pieces": [
+                [
+                  {"coefficients": {"d": "-1/1"}, "relation": "<=", "bound": "0/1"},
+  --
+            "mean": null,
+            "parts": [
+              {
+                "low": "1/2",
+  --
+            "unknown": {
+              "pieces": [
+                [
+                  {"coefficients": {"d": "-1/1"}, "relation": "<=", "bound": "0/1"},
+  $ scc check gone.sc --check once --smt gone.smt > /dev/null; grep unknown gone.smt
+  (define-fun once-unknown () Bool (= d 0.0))
+  $ scc check gone.sc --check once --draw gone.svg > /dev/null; grep -c 'not known' gone.svg
+  4
 
 An event that leads to the last state at a time counts there, in a number, too:
 
@@ -382,10 +474,12 @@ Numbers as functions of SMT-LIB:
   (define-fun meets-low-infinite () Bool false)
   (define-fun meets-high () Real (ite (and (<= (* (- 1.0) d) (- 3.0)) (<= d 5.0)) (+ d (- 2.0)) 0.0))
   (define-fun meets-high-infinite () Bool false)
+  (define-fun meets-unknown () Bool false)
   (define-fun far-low () Real (ite (and (< (* (- 1.0) d) (- 3.0)) (<= d 5.0)) 1.0 0.0))
   (define-fun far-low-infinite () Bool (= d 3.0))
   (define-fun far-high () Real (ite (and (< (* (- 1.0) d) (- 3.0)) (<= d 5.0)) 1.0 0.0))
   (define-fun far-high-infinite () Bool (= d 3.0))
+  (define-fun far-unknown () Bool false)
 
 Checks that ask about the same until share its exploration, whatever they ask about it. Each has the answer that it has
 alone.

@@ -167,6 +167,21 @@ class Answers(WithOracle):
             self.oracle.check(RANGED + asked)["far"].starts["least"].at((0, 0))
         self.assertEqual(found["meets"].starts, {})
 
+    def test_numbers_that_are_lost(self):
+        model = (
+            "timestep 1\nparam d in [0, 1]\nprocess w = box(1, 1, 1) mass 1 at translate (d, 0, 0) [nil]\n"
+            "fixed out = box(1, 9, 9) absorb at translate (-2, 0, 0)\n"
+            "motion w = choose { (1, 0, 0) weight 1, (-1, 0, 0) weight 1 }\n"
+            "check once : E = ? [ x(w) at 1 ]\ncheck twice : E = ? [ x(w) at 3/2 ]\ncheck gone : E = ? [ time U gone(w) ]\n"
+        )
+        found = self.oracle.check(model, where=True, depth=9)
+        once, twice, gone = (found[name].starts["least"] for name in ("once", "twice", "gone"))
+        half = Fraction(1, 2)
+        self.assertEqual((once.low, once.high, once.mean, once.unknown.measure), (0, 1, (half, half), 0))
+        self.assertEqual((once.at((half,)), once.at((0,))), ((half, half), (None, None)))
+        self.assertEqual((twice.low, twice.high, twice.mean, twice.unknown.measure), (half, 1, None, half))
+        self.assertIsNone(gone.unknown)
+
     def test_starts(self):
         simple = self.oracle.load_model(RANGED, start="simple")
         self.assertEqual(simple.parameters, {"speed": 2, "y": 0, "z": 0})

@@ -142,15 +142,28 @@ let part =
 type chances = { chances : Chances.t; with_parts : bool }
 
 let chances_fields =
+  let mean c =
+    match Chances.mean c.chances with Between ends -> Some ends | Not_known _ | Not_computed -> None
+  in
+  let unknown { chances = c; _ } =
+    if Chances.known_everywhere c then None else Some (c.ranges, c.unknown, Where.measure c.unknown)
+  in
   let parts c =
     if c.with_parts then Some (List.map (fun p -> (c.chances.Chances.ranges, p)) c.chances.parts) else None
   in
   all
     [
       within (fun c -> Chances.extremes c.chances) ends;
-      field "mean" (nullable (obj ends)) (fun c -> Chances.mean c.chances)
+      field "mean" (nullable (obj ends)) mean
         ~about:
-          "Over parameters that are independent and uniform in their ranges; null where a volume is not computed.";
+          "Over parameters that are independent and uniform in their ranges; null where a volume is not computed, \
+           or if `unknown` has a volume.";
       maybe "parts" (list ~least:1 part) parts
-        ~about:"With --where: each value with the parameters that have it. The parts make up the whole range.";
+        ~about:
+          "With --where: each value with the parameters that have it. With `unknown` the parts make up the whole \
+           range.";
+      maybe "unknown" set unknown
+        ~about:
+          "Of a number at a time: for which values of the parameters nothing is known of its mean, as where the \
+           number has no value. Left out if there are none. Then low and high are those of all others.";
     ]

@@ -85,6 +85,10 @@ let place z leaf (part : Model.part) =
 let with_variables z ~dimension forms set =
   { (map (fun f -> Linear.compose f ~dimension forms) z) with set }
 
+let earliest z =
+  let of_form form = Polyhedron.limit (Polyhedron.infimum z.set form) in
+  Option.bind z.time of_form
+
 let values z point = Array.map (fun f -> Linear.eval f point) z.parameters
 
 let at z point =

@@ -53,6 +53,9 @@ val with_variables : t -> dimension:int -> Linear.t array -> Polyhedron.t -> t
 (** [with_variables z ~dimension forms set] is [z] over other variables, which take the values of [set]. The
     old variables are these forms over the new ones. *)
 
+val earliest : t -> Rat.t option
+(** The greatest lower bound of the model time of its states; [None] if time is no coordinate. *)
+
 val values : t -> Rat.t array -> Rat.t array
 (** [values z point] are the values of the parameters for these values of the variables. *)
 

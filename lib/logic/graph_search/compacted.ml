@@ -162,12 +162,12 @@ module Make (L : Lts.S) = struct
     (s, first)
 
   let progress s i : Limits.progress =
-    {
+    Explored {
       states = size s;
       transitions = s.transitions;
       waiting = Int_queue.length s.frontier;
       depth = Distances.depth s.paths i;
-      model_time = Distances.arrival s.paths i;
+      model_time = Lazy.from_val (Some (Distances.arrival s.paths i));
     }
 
   let run ?(expanding = here) visitor ~capacity ~family limits (around : Limits.surroundings) context =

@@ -205,12 +205,12 @@ module Make (L : Lts.S) = struct
     }
 
   let progress g i : Limits.progress =
-    {
+    Explored {
       states = size g;
       transitions = g.transitions;
       waiting = Frontier.length g.frontier;
       depth = depth g i;
-      model_time = arrival g i;
+      model_time = Lazy.from_val (Some (arrival g i));
     }
 
   (* Looks at a state that waited; or says what ends the exploration. *)

@@ -15,7 +15,10 @@ let too_long (t : t) ~longest ~bits =
   | None -> false
   | Some most -> longest > most && bits () > most
 
-type progress = { states : int; transitions : int; waiting : int; depth : int; model_time : Rat.t }
+type progress =
+  | Explored of { states : int; transitions : int; waiting : int; depth : int; model_time : Rat.t option Lazy.t }
+  | Valued of { sets : int; all : int }
+
 type stop = Seconds | Memory | Interrupted
 type stage = Exploring | Proving | Concluding | Reporting
 type attempt = { run : 'a. stage -> (unit -> 'a) -> ('a, stop) result }

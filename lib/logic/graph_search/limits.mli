@@ -21,13 +21,17 @@ val too_long : t -> longest:int -> bits:(unit -> int) -> bool
 (** [too_long limits ~longest ~bits] is true if a state whose longest number has [bits ()] bits must not be
     expanded. No number so far is longer than [longest]; [bits] is called only if that exceeds the limit. *)
 
-type progress = {
-  states : int;  (** states found so far *)
-  transitions : int;  (** transitions found so far *)
-  waiting : int;  (** states that wait to be expanded *)
-  depth : int;  (** the depth of the present state *)
-  model_time : Rat.t;  (** the earliest arrival at the present state *)
-}
+type progress =
+  | Explored of {
+      states : int;  (** states found so far *)
+      transitions : int;  (** transitions found so far *)
+      waiting : int;  (** states that wait to be expanded *)
+      depth : int;  (** the depth of the present state *)
+      model_time : Rat.t option Lazy.t;
+      (** the earliest arrival at the present state, if states know their time *)
+    }
+  | Valued of { sets : int; all : int }
+  (** After an exploration over ranges: so many sets of states have a value, of so many that are to have one. *)
 
 (** The reason for work to end early: its seconds are over, its memory is used up, or it was interrupted. *)
 type stop = Seconds | Memory | Interrupted

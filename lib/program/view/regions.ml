@@ -6,15 +6,12 @@ open Scc_json
 open Scc_runs
 open Json_format
 
-(* Of a check; of a probability, the number of its value, or that it depends on what is not shown. *)
-type outcome = Claim of string | Number of int option
-
-let outcome : Plane.outcome -> outcome = function
-  | Holds -> Claim "holds"
-  | Varies -> Claim "varies"
-  | Unknown -> Claim "unknown"
-  | Fails -> Claim "fails"
-  | Value i -> Number (Some i)
+let claim : Plane.outcome -> string = function
+  | Holds -> "holds"
+  | Varies -> "varies"
+  | Unknown -> "unknown"
+  | Fails -> "fails"
+  | Value _ -> Scc_base.Bug.fail __POS__ "a claim with a number"
 
 let is_line (view : Plane.view) = Option.is_none view.up
 let axes (view : Plane.view) = view.across :: Option.to_list view.up
@@ -39,8 +36,8 @@ let constraint_ =
     ]
   |> Rows.named "constraint"
 
-(* A region with its outline, and how many of its outcomes are of checks; the others are of probabilities. *)
-type shown = { region : Plane.region; outline : Outline.t; claims : int }
+(* A region with its outline, and how many of its outcomes are of checks; the others are of these numbers. *)
+type shown = { region : Plane.region; outline : Outline.t; claims : int; numbers : Chances.t list }
 
 let region =
   let border =
@@ -51,16 +48,21 @@ let region =
       ]
   in
   let of_checks r = List.filteri (fun i _ -> i < r.claims) r.region.outcomes in
-  let of_numbers r = List.filteri (fun i _ -> i >= r.claims) r.region.outcomes in
-  let claim o =
-    match outcome o with Claim c -> c | Number _ -> Scc_base.Bug.fail __POS__ "a claim with a number"
+  (* What is not known comes after all values. *)
+  let value ((c : Chances.t), (o : Plane.outcome)) =
+    match o with
+    | Value i -> Some i
+    | Unknown -> Some (List.length c.parts)
+    | Varies | Holds | Fails -> None
   in
-  let value o = match outcome o with Number n -> n | Claim _ -> None in
+  let of_numbers r =
+    List.map value (List.combine r.numbers (List.filteri (fun i _ -> i >= r.claims) r.region.outcomes))
+  in
   fields
     [
       field "outcomes" (list (word claim [ Plane.Holds; Varies; Unknown; Fails ])) of_checks
         ~about:"Of the checks.";
-      field "values" (list (nullable Rows.number)) (fun r -> List.map value (of_numbers r))
+      field "values" (list (nullable Rows.number)) of_numbers
         ~about:"Of the numbers: which of its values each has; null where it depends on what is not shown.";
       field "pieces" (list (list constraint_))
         (fun r -> List.map Polyhedron.constraints (Union.pieces r.region.set))
@@ -103,33 +105,47 @@ type t = {
 let drawn ranges view ~checks ~numbers =
   Plane.regions ~values:(List.map snd numbers) ranges view (List.map snd checks)
 
+(* A value that a number has somewhere, or that nothing is known of it. *)
+type value = Part of Ranges.t * Chances.part | Not_known
+
+let values (c : Chances.t) =
+  let parts = List.map (fun p -> Part (c.ranges, p)) c.parts in
+  if Chances.known_everywhere c then parts else parts @ [ Not_known ]
+
+let end_of get = function Part (_, p) -> get (Chances.ends_of p) | Not_known -> None
+
 (* Of a value that depends on the parameters. *)
-let form (ranges, (p : Chances.part)) =
-  let depends = function Some f -> not (Scc_polyhedra.Linear.is_constant f) | None -> false in
-  if depends p.value.least || depends p.value.most then Some (Words.value ranges p.value) else None
+let form = function
+  | Not_known -> Some Words.not_known
+  | Part (ranges, p) ->
+    let depends = function Some f -> not (Scc_polyhedra.Linear.is_constant f) | None -> false in
+    if depends p.value.least || depends p.value.most then Some (Words.value ranges p.value) else None
 
 let format =
   let shown d =
     let claims = List.length d.checks in
-    List.map (fun (region : Plane.region) -> { region; outline = Outline.make region.set; claims }) d.drawn
+    let numbers = List.map snd d.numbers in
+    let shown (region : Plane.region) = { region; outline = Outline.make region.set; claims; numbers } in
+    List.map shown d.drawn
   in
   let sample = fields [ field "at" Origin_json.parameters_format fst; field "run" Rows.number snd ] in
   let value =
     fields
       [
-        field "least" (nullable Shared.rational) (fun (_, p) -> (Chances.ends_of p).low)
-          ~about:"Its greatest lower bound; null of what is infinite.";
-        field "most" (nullable Shared.rational) (fun (_, p) -> (Chances.ends_of p).high)
+        field "least" (nullable Shared.rational) (end_of (fun ends -> ends.low))
+          ~about:"Its greatest lower bound; null of what is infinite or not known.";
+        field "most" (nullable Shared.rational) (end_of (fun ends -> ends.high))
           ~about:"Its least upper bound; null if none is known.";
-        maybe "form" some_text form ~about:"Of what is not one number: what it is by the parameters.";
+        maybe "form" some_text form
+          ~about:"Of what is not one number: what it is by the parameters, or not known.";
       ]
   in
   let number =
     fields
       [
         field "name" some_text fst;
-        field "values" (list value) (fun (_, (c : Chances.t)) -> List.map (fun p -> (c.ranges, p)) c.parts)
-          ~about:"Its values, by size: exact where both bounds are the same.";
+        field "values" (list value) (fun (_, c) -> values c)
+          ~about:"Its values by size, exact where both bounds are the same. The last one may be not known.";
       ]
   in
   fields

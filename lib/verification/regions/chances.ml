@@ -4,7 +4,7 @@ open Scc_calculus
 
 type value = { least : Linear.t option; most : Linear.t option }
 type part = { value : value; set : Union.t }
-type t = { ranges : Ranges.t; parts : part list }
+type t = { ranges : Ranges.t; parts : part list; unknown : Union.t }
 type ends = { low : Rat.t option; high : Rat.t option }
 
 let known ranges (v : Piecewise.value) =
@@ -50,7 +50,7 @@ let simplified (p, { least; most }) =
   (p, if flat then { least = Option.map of_end least; most = Option.map of_end most } else { least; most })
 
 (* Parts with constants are in the order of their values, and all others in that of what they begin with. *)
-let make ranges pieces =
+let make ranges ?(unknown = []) pieces =
   let pieces = List.map simplified pieces in
   let by_value = List.stable_sort (fun (_, a) (_, b) -> compare_values a b) pieces in
   let add parts (p, value) =
@@ -69,11 +69,17 @@ let make ranges pieces =
     | Some x, Some y -> Rat.compare x y
   in
   let by_ends (a, _) (b, _) = infinite_last a.low b.low <?> fun () -> infinite_last a.high b.high in
-  { ranges; parts = List.map snd (List.stable_sort by_ends (List.map (fun p -> (ends_of p, p)) parts)) }
+  {
+    ranges;
+    parts = List.map snd (List.stable_sort by_ends (List.map (fun p -> (ends_of p, p)) parts));
+    unknown = Where.tidy (Union.of_polyhedra n unknown);
+  }
+
+let known_everywhere t = Union.is_empty t.unknown
 
 let extremes t =
   match List.map ends_of t.parts with
-  | [] -> Scc_base.Bug.fail __POS__ "a function on an empty box"
+  | [] -> Scc_base.Bug.fail __POS__ "a function without a value"
   | first :: rest ->
     let lower a b = match (a, b) with Some x, Some y -> Some (Rat.min x y) | x, None | None, x -> x in
     let higher a b = match (a, b) with Some x, Some y -> Some (Rat.max x y) | None, _ | _, None -> None in
@@ -81,6 +87,8 @@ let extremes t =
     List.fold_left widen first rest
 
 (* {1 The mean} *)
+
+type mean = Between of ends | Not_known of Rat.t | Not_computed
 
 let volume (ranges : Ranges.t) =
   let width (r : Ranges.range) = Rat.sub r.high.value r.low.value in
@@ -109,8 +117,7 @@ let of_set set form =
   List.fold_left add (Some Rat.zero) (Union.pieces set)
 
 (* A part without volume does not count, not even where the value is infinite. *)
-let mean t =
-  let whole = volume t.ranges in
+let mean_of_parts t ~whole =
   let plus set sum form =
     match (sum, form) with
     | None, _ | _, None -> Some None
@@ -127,8 +134,15 @@ let mean t =
   in
   List.fold_left add (Some { low = Some Rat.zero; high = Some Rat.zero }) t.parts
 
+let mean t =
+  let whole = volume t.ranges in
+  match Where.measure t.unknown with
+  | None -> Not_computed
+  | Some v when Rat.sign v > 0 -> Not_known (Rat.div v whole)
+  | Some _ -> Option.fold ~none:Not_computed ~some:(fun ends -> Between ends) (mean_of_parts t ~whole)
+
+let same_set u v = List.equal Polyhedron.equal (Union.pieces u) (Union.pieces v)
+
 let equal a b =
-  let same p q =
-    compare_values p.value q.value = 0 && List.equal Polyhedron.equal (Union.pieces p.set) (Union.pieces q.set)
-  in
-  List.equal same a.parts b.parts
+  let same p q = compare_values p.value q.value = 0 && same_set p.set q.set in
+  List.equal same a.parts b.parts && same_set a.unknown b.unknown

@@ -81,10 +81,11 @@ let outcomes ranges view ~box (w : Where.t) =
 let of_values ranges view ~box (c : Chances.t) =
   let sets = List.map (fun (p : Chances.part) -> seen ranges view p.set) c.parts in
   let others i = List.filteri (fun j _ -> j <> i) sets in
-  let only i set = (Value i, List.fold_left Union.difference set (others i)) in
-  if hidden ranges view = [] then List.mapi (fun i set -> (Value i, set)) sets
+  let unknown = seen ranges view c.unknown in
+  let only i set = (Value i, List.fold_left Union.difference set (unknown :: others i)) in
+  if hidden ranges view = [] then List.mapi (fun i set -> (Value i, set)) sets @ [ (Unknown, unknown) ]
   else
-    let single = List.mapi only sets in
+    let single = List.mapi only sets @ [ (Unknown, List.fold_left Union.difference unknown sets) ] in
     single @ [ (Varies, List.fold_left (fun left (_, set) -> Union.difference left set) box single) ]
 
 type region = { outcomes : outcome list; set : Union.t; share : Rat.t }

@@ -40,7 +40,9 @@ let number ~name (title, (c : Chances.t)) =
         (Union.of_polyhedra (Array.length c.ranges) infinite);
     ]
   in
-  function_of "-low" (fun (v : Chances.value) -> v.least) @ function_of "-high" (fun (v : Chances.value) -> v.most)
+  function_of "-low" (fun (v : Chances.value) -> v.least)
+  @ function_of "-high" (fun (v : Chances.value) -> v.most)
+  @ [ definition ~name title "-unknown" c.unknown ]
 
 let script ranges ~numbers checks =
   let name = parameter ranges in

@@ -110,6 +110,8 @@ let told ranges name u = (name ^ " where") :: listed ranges u
 
 (* {1 Functions} *)
 
+let not_known = "not known"
+
 let value ranges (v : Chances.value) =
   let form = Text.form ~name:(Ranges.name ranges) in
   match (v.least, v.most) with
@@ -120,19 +122,23 @@ let value ranges (v : Chances.value) =
 
 let mean c =
   match Chances.mean c with
-  | None -> "mean not computed"
-  | Some { low = None; _ } -> "mean infinite"
-  | Some { low = Some low; high = Some high } when Rat.equal low high -> "mean " ^ number low
-  | Some { low = Some low; high = Some high } ->
+  | Not_computed -> "mean not computed"
+  | Not_known share -> Printf.sprintf "mean not known: nothing is known for a share of %s" (number share)
+  | Between { low = None; _ } -> "mean infinite"
+  | Between { low = Some low; high = Some high } when Rat.equal low high -> "mean " ^ number low
+  | Between { low = Some low; high = Some high } ->
     Printf.sprintf "mean at least %s, and at most %s" (low_end low) (high_end high)
-  | Some { low = Some low; high = None } -> Printf.sprintf "mean at least %s" (low_end low)
+  | Between { low = Some low; high = None } -> Printf.sprintf "mean at least %s" (low_end low)
 
 let chances (c : Chances.t) =
   let whole = Ranges.to_string c.ranges in
+  let everywhere = Chances.known_everywhere c in
   let for_ = if whole = "" then "" else ", for " ^ whole in
+  let for_ = if everywhere then for_ else " where it is known" ^ for_ in
+  let with_mean text = if everywhere then text else text ^ "; " ^ mean c in
   match (c.parts, Chances.extremes c) with
-  | [ _ ], { low = Some least; high = Some most } when Rat.equal least most -> number least ^ for_
-  | [ { value = v; _ } ], _ -> value c.ranges v ^ for_
+  | [ _ ], { low = Some least; high = Some most } when Rat.equal least most -> with_mean (number least ^ for_)
+  | [ { value = v; _ } ], _ -> with_mean (value c.ranges v ^ for_)
   | _, { low = None; _ } -> "infinite" ^ for_
   | _, { low = Some low; high = Some high } ->
     Printf.sprintf "%s to %s%s; %s" (Rat.to_string low) (Rat.to_string high) for_ (mean c)
@@ -143,14 +149,12 @@ let chances (c : Chances.t) =
 
 let chances_lines (c : Chances.t) =
   let n = Array.length c.ranges in
-  let of_part (part : Chances.part) =
-    let line p =
-      let extent = if Polyhedron.affine_dimension p < n then " (" ^ without_extent n ^ ")" else "" in
-      Printf.sprintf "%s%s: %s" (piece c.ranges p) extent (value c.ranges part.value)
-    in
-    List.map line (Union.pieces part.set)
+  let line told p =
+    let extent = if Polyhedron.affine_dimension p < n then " (" ^ without_extent n ^ ")" else "" in
+    Printf.sprintf "%s%s: %s" (piece c.ranges p) extent told
   in
-  List.concat_map of_part c.parts @ [ mean c ]
+  let of_part (part : Chances.part) = List.map (line (value c.ranges part.value)) (Union.pieces part.set) in
+  List.concat_map of_part c.parts @ List.map (line not_known) (Union.pieces c.unknown) @ [ mean c ]
 
 let sets (w : Where.t) =
   let none u = Union.is_empty u and count u = List.length (Union.pieces u) in

@@ -20,9 +20,13 @@ val value : Ranges.t -> Chances.value -> string
 (** A number, or what is known of it, as a function of the parameters: ["3/8"], ["5/2 - x"],
     ["from 0 to 3/8, not known better"]. *)
 
+val not_known : string
+(** The word for starts of which nothing is known. *)
+
 val chances : Chances.t -> string
 (** A probability or a mean over all starts in one line: its extremes and its mean, as
-    ["0 to 3/8, for x in [0, 4\]; mean 3/16 = 0.1875"]. *)
+    ["0 to 3/8, for x in [0, 4\]; mean 3/16 = 0.1875"]. If nothing is known for some starts, it says that
+    the extremes are those of all others. *)
 
 val chances_lines : Chances.t -> string list
 (** A probability or a mean over all starts by its pieces, as ["0 <= x < 2: 3/8"], and its mean in the last

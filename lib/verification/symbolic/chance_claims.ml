@@ -86,6 +86,10 @@ let one_of perhaps tree = if perhaps = [] then tree else Perhaps (tree :: perhap
 
 let note t reason = if not (List.mem reason t.reasons) then t.reasons <- reason :: t.reasons
 
+let undecided t reason =
+  note t reason;
+  Open
+
 let judged t (z : Zone.t) =
   let view set = { Atoms.zone = { z with set }; passing = false; quiescent = [] } in
   let by_claim perhaps region =
@@ -305,10 +309,6 @@ let first_times t (z : Zone.t) (cell : Passing.due First.cell) =
     Fun.id
     (List.map (fun (region, perhaps) -> { region; perhaps; met = None }))
     regions
-
-let undecided t reason =
-  note t reason;
-  Open
 
 let value t number ~passing (z : Zone.t) =
   let known (p, v) = sure p (match v with Ok form -> Is form | Error reason -> undecided t reason) in

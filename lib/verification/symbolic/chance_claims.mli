@@ -45,6 +45,9 @@ val see_speed : t -> bool
 val reasons : t -> string list
 (** The reasons why a predicate was undecided so far, sorted. *)
 
+val undecided : t -> string -> Chance_tree.tree
+(** [undecided t reason] is what follows if nothing is known, for a reason that {!reasons} contains from now on. *)
+
 val not_after_time : Rat.t option -> Zone.t -> Polyhedron.t -> Polyhedron.t list * Polyhedron.t list
 (** The regions in which the time of the zone is no later than a bound, and the others. *)
 

@@ -10,10 +10,8 @@ type limits = {
   zones : int;
   stop : unit -> bool;
   attempt : 'a. (unit -> 'a) -> 'a option;
-  progress : zones:int -> waiting:int -> depth:int -> unit;
+  progress : zones:int -> waiting:int -> depth:int -> Zone.t -> unit;
 }
-
-exception Not_answered of string
 
 type met = { too_late : bool; too_deep : bool; too_many : bool; stopped : bool }
 
@@ -119,10 +117,7 @@ let pass t next z (cell : Passing.due First.cell) =
   in
   cells (List.map on (Chance_claims.along t.claims z cell))
 
-let stop t next z (cell : Passing.due First.cell) =
-  if Chance_claims.depends_on_instants t.claims then
-    raise
-      (Not_answered "over starts, a mean of a time or of a number is not known where bonds may break at any time");
+let stop_at_some_time t next z (cell : Passing.due First.cell) =
   let halted = Passing.within t.context z cell in
   let splits set =
     let halted = { halted with set } in
@@ -136,9 +131,16 @@ let stop t next z (cell : Passing.due First.cell) =
     let ways = match met with Some tree -> [ (region, tree) ] | None -> splits region in
     List.map (fun (set, tree) -> (set, Chance_claims.one_of perhaps tree)) ways
   in
-  t.chain <- false;
   let ways = List.concat_map on (Chance_claims.along_until_stop t.claims z cell halted) in
   List.map (fun (set, tree) -> Stopping (set, tree)) ways
+
+(* The least of the values at all instants is attained if these are finitely many. *)
+let stop t next z cell =
+  t.chain <- false;
+  if Chance_claims.depends_on_instants t.claims then
+    let reason = "over starts, a mean of a time or of a number is not known where bonds may break at any time" in
+    [ Chance_claims.undecided t.claims reason ]
+  else stop_at_some_time t next z cell
 
 let by_itself t next (z : Zone.t) =
   let c = t.context in
@@ -205,6 +207,9 @@ let expand t limits next ~depth (z : Zone.t) =
   in
   cells (List.concat_map on (Chance_claims.judged t.claims z))
 
+(* Some of its states. *)
+let shown node = match node.sets with [] -> node.zone | set :: _ -> { node.zone with set }
+
 let rec explore_from t limits ~depth ~after_step layer =
   match (List.rev layer.nodes, after_step.nodes) with
   | [], [] -> ()
@@ -213,7 +218,9 @@ let rec explore_from t limits ~depth ~after_step layer =
     t.layers <- layer :: t.layers;
     t.deepest <- Int.min depth limits.depth;
     let next = { within = new_layer (); after_step } in
-    let of_node node =
+    let size layer = Keys.length layer.index in
+    let waiting i = size layer - i - 1 + size next.within + size after_step in
+    let of_node i node =
       let of_set set =
         match limits.attempt (fun () -> expand t limits next ~depth { node.zone with Zone.set }) with
         | Some tree -> (set, tree)
@@ -221,10 +228,10 @@ let rec explore_from t limits ~depth ~after_step layer =
           t.met <- { t.met with stopped = true };
           (set, Open)
       in
-      limits.progress ~zones:t.size ~waiting:(List.length next.within.nodes) ~depth;
+      limits.progress ~zones:t.size ~waiting:(waiting i) ~depth (shown node);
       node.trees <- List.map of_set node.sets
     in
-    List.iter of_node nodes;
+    List.iteri of_node nodes;
     explore_from t limits ~depth:(depth + 1) ~after_step next.within
 
 let explore_by parameters context question limits zones =
@@ -257,6 +264,20 @@ let layers ?(most = max_int) t =
   let too_many = List.length t.layers - most in
   ( nodes (List.filteri (fun i _ -> i < too_many) t.layers),
     nodes (List.filteri (fun i _ -> i >= too_many) t.layers) )
+
+let solve ?most ~progress t ~forget ~of_node =
+  let left_out, layers = layers ?most t in
+  (* Of a solution that was given up. *)
+  List.iter (List.iter forget) left_out;
+  let all = List.fold_left (fun n nodes -> n + List.length nodes) 0 layers and sets = ref 0 in
+  let one node =
+    progress ~sets:!sets ~all;
+    of_node node;
+    incr sets
+  in
+  List.iter (List.iter one) layers;
+  progress ~sets:all ~all;
+  fun () -> List.iter (List.iter forget) layers
 
 let count_layers t = List.length t.layers
 let met t = t.met

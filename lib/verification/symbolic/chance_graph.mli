@@ -14,20 +14,18 @@ type limits = {
   zones : int;  (** the greatest number of zones that are expanded *)
   stop : unit -> bool;  (** called before each zone; true stops the exploration *)
   attempt : 'a. (unit -> 'a) -> 'a option;  (** expands a zone; [None] if that is given up, which stops it, too *)
-  progress : zones:int -> waiting:int -> depth:int -> unit;
+  progress : zones:int -> waiting:int -> depth:int -> Zone.t -> unit;
+  (** called before a zone is expanded: how many were expanded, how many wait, its depth, and the zone *)
 }
 
 type t
-
-exception Not_answered of string
-(** A mean that is not computed, for this reason. *)
 
 (** The bounds that left zones unexpanded. *)
 type met = { too_late : bool; too_deep : bool; too_many : bool; stopped : bool }
 
 val explore : Instant.context -> Chance_claims.question -> limits -> Zone.t list -> t
 (** [explore c q limits zones] explores from disjoint zones over the parameters alone. Raises
-    {!Instant.Not_affine}, {!Law_cells.Bad_law}, {!Chance_steps.Bad} and {!Not_answered}. *)
+    {!Instant.Not_affine}, {!Law_cells.Bad_law} and {!Chance_steps.Bad}. *)
 
 val question : t -> Chance_claims.question
 (** What was explored for. *)
@@ -56,7 +54,15 @@ val root : t -> Chance_tree.tree
 val count_layers : t -> int
 (** The number of layers of nodes. *)
 
-val layers : ?most:int -> t -> Chance_tree.node list list * Chance_tree.node list list
-(** [layers ?most t] is the nodes by layers, the last layer first: those of layers that are left out, and those of
-    the first [most] layers, which are all by default. Each node leads to nodes of layers before its own in these
-    lists alone. *)
+val solve :
+  ?most:int ->
+  progress:(sets:int -> all:int -> unit) ->
+  t ->
+  forget:(Chance_tree.node -> unit) ->
+  of_node:(Chance_tree.node -> unit) ->
+  unit ->
+  unit
+(** [solve ?most ~progress t ~forget ~of_node] calls [of_node] for each node of the first [most] layers, which are
+    all by default, after it was called for all nodes to which that one leads, and [forget] for all nodes of other
+    layers. It shows the number of nodes before each. The result calls [forget] for the nodes of the first layers.
+*)

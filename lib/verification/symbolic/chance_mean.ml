@@ -76,16 +76,13 @@ let ends graph =
   | Value_at _ -> { won = Some Unknown; lost = Unknown; unknown = Unknown }
   | Chance | Time | Happenings _ -> { won = None; lost = Infinite; unknown = Infinite }
 
-let solve ?most graph mode ~parameters =
+let solve ?most ~progress graph mode ~parameters =
   let space = Affine.space () and ends = ends graph in
-  let left_out, layers = Chance_graph.layers ?most graph in
-  (* Of a solution that was given up. *)
-  List.iter (List.iter (fun node -> node.means <- [])) left_out;
   let of_node node =
     node.means <- List.map (fun (set, tree) -> (set, of_tree space mode ends ~within:set tree)) node.trees
   in
-  List.iter (List.iter of_node) layers;
+  let forget_all = Chance_graph.solve ?most ~progress graph ~forget:(fun node -> node.means <- []) ~of_node in
   let within = Polyhedron.universe parameters in
   let root = of_tree space mode ends ~within (Chance_graph.root graph) in
-  List.iter (List.iter (fun node -> node.means <- [])) layers;
+  forget_all ();
   root

@@ -69,16 +69,13 @@ and of_cells space mode ~within = function
     let here = Piecewise.within space (new_constraints ~within set) (of_tree space mode ~within:set tree) in
     Piecewise.first space here (of_cells space mode ~within rest)
 
-let solve ?most graph mode ~parameters =
+let solve ?most ~progress graph mode ~parameters =
   let space = Piecewise.space () in
-  let left_out, layers = Chance_graph.layers ?most graph in
-  (* Of a solution that was given up. *)
-  List.iter (List.iter (fun node -> node.values <- [])) left_out;
   let of_node node =
     node.values <- List.map (fun (set, tree) -> (set, of_tree space mode ~within:set tree)) node.trees
   in
-  List.iter (List.iter of_node) layers;
+  let forget_all = Chance_graph.solve ?most ~progress graph ~forget:(fun node -> node.values <- []) ~of_node in
   let within = Polyhedron.universe parameters in
   let root = of_tree space mode ~within (Chance_graph.root graph) in
-  List.iter (List.iter (fun node -> node.values <- [])) layers;
+  forget_all ();
   root

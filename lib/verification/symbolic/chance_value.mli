@@ -11,7 +11,8 @@ type mode = {
 val new_constraints : within:Polyhedron.t -> Polyhedron.t -> Constraint.t list
 (** [new_constraints ~within set] are the constraints of [set] that are none of [within]. *)
 
-val solve : ?most:int -> Chance_graph.t -> mode -> parameters:int -> Piecewise.t
-(** [solve ?most t mode ~parameters] is the value of the runs that satisfy the until, 1 if they do and 0 if they do
-    not, as a function of the starts, which are values of so many parameters. Its ends are those for unknown states
-    that fail, and that satisfy it. What follows the first [most] layers is as unknown. *)
+val solve :
+  ?most:int -> progress:(sets:int -> all:int -> unit) -> Chance_graph.t -> mode -> parameters:int -> Piecewise.t
+(** [solve ?most ~progress t mode ~parameters] is the value of the runs that satisfy the until, 1 if they do and 0
+    if they do not, as a function of the starts, which are values of so many parameters. Its ends are those for
+    unknown states that fail, and that satisfy it. What follows the first [most] layers is as unknown. *)

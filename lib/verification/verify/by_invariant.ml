@@ -1,4 +1,3 @@
-open Scc_exact
 open Scc_polyhedra
 open Scc_calculus
 open Scc_semantics
@@ -54,7 +53,7 @@ let search (options : Setup.t) surroundings effort semantics u ~declared ~parame
   let stop () = Option.is_some (surroundings.Limits.stop ()) in
   let looked_at ~locations ~waiting =
     surroundings.progress
-      { states = locations; transitions = 0; waiting; depth = 0; model_time = Rat.zero }
+      (Explored { states = locations; transitions = 0; waiting; depth = 0; model_time = Lazy.from_val None })
   in
   let most = most_kinds options effort in
   match Invariant_search.find context ~events ~most ~visitor:{ stop; looked_at } zones with

@@ -79,8 +79,9 @@ let stop_of (around : Limits.surroundings) =
 let limits w : Chance_graph.limits =
   let { Setup.bounds; surroundings; _ } = w.options in
   let depth = match (Zone_bounds.depth bounds).limit with Depth d -> d | _ -> Zone_bounds.default_depth in
-  let progress ~zones ~waiting ~depth =
-    surroundings.progress { states = zones; transitions = 0; waiting; depth; model_time = Rat.zero }
+  let progress ~zones ~waiting ~depth zone =
+    let model_time = lazy (Zone.earliest zone) in
+    surroundings.progress (Explored { states = zones; transitions = 0; waiting; depth; model_time })
   in
   let is_over = stop_of surroundings in
   let stop () =
@@ -133,6 +134,8 @@ let explore w until = snd (List.find (fun (q, _) -> Chance_claims.same_question 
 let most_layers w graph =
   let all = Chance_graph.count_layers graph in
   if (Chance_graph.met graph).stopped then ((w.eighths * all) + 7) / 8 else all
+
+let valued w ~sets ~all = w.options.Setup.surroundings.progress (Valued { sets; all })
 
 let box w = Ranges.box w.ranges
 

@@ -56,6 +56,9 @@ val most_layers : t -> Chance_graph.t -> int
 (** [most_layers w graph] is how many layers of a graph, from the first on, are to have values: all, or the part
     [eighths] where the exploration was stopped. *)
 
+val valued : t -> sets:int -> all:int -> unit
+(** [valued w ~sets ~all] shows that so many sets of states, of all, have a value. *)
+
 val box : t -> Polyhedron.t
 (** [box w] is the polyhedron of all starts: one dimension for each parameter, within its range. *)
 

@@ -45,7 +45,8 @@ let pieces w graph { Zone_question.negated; _ } ~chance side =
   let choice = if negated then flipped side else side in
   let chance = if chance then `Mean else (choice :> [ `Mean | `Least | `Greatest ]) in
   let mode = { Chance_value.choice; chance } in
-  let f = Chance_value.solve ~most:(most_layers w graph) graph mode ~parameters:(Array.length w.ranges) in
+  let most = most_layers w graph and parameters = Array.length w.ranges in
+  let f = Chance_value.solve ~most ~progress:(valued w) graph mode ~parameters in
   let known = function
     | p, Some (v : Piecewise.value) ->
       if negated then (p, { Piecewise.least = Rat.sub Rat.one v.most; most = Rat.sub Rat.one v.least }) else (p, v)
@@ -117,7 +118,8 @@ let by_start w starts : Verdict.t =
     (s, { Scc_ctl.Eval.least = answer low; most = answer high })
   in
   let is_open (p : Chances.part) = not (Chances.is_known p.value) in
-  let some_open = List.exists (fun (_, (c : Chances.t)) -> List.exists is_open c.parts) starts in
+  let is_open (_, (c : Chances.t)) = List.exists is_open c.parts || not (Chances.known_everywhere c) in
+  let some_open = List.exists is_open starts in
   let reasons = if some_open then snd (reasons w) else [] in
   Measured { values = List.map value starts; reasons; inexact = None; witness = None; curve = []; starts }
 
@@ -138,12 +140,10 @@ let measured w sides (o : Zone_question.operator) =
 
 (* {2 Means} *)
 
-exception Unknown_somewhere
-
 (* The ends of a mean on pieces that divide the box. Where all is known, one of them is enough. *)
 let mean_ends w graph s =
   let parameters = Array.length w.ranges and most = most_layers w graph in
-  let f unknown = Chance_mean.solve ~most graph { choice = side s; unknown } ~parameters in
+  let f unknown = Chance_mean.solve ~most ~progress:(valued w) graph { choice = side s; unknown } ~parameters in
   let pieces box f = Affine.pieces box f in
   let known = function
     | Some v -> v
@@ -155,10 +155,18 @@ let mean_ends w graph s =
   if all_known then List.map (fun (p, v) -> (p, known v, known v)) (pieces (box w) least)
   else List.concat_map (with_most (f `Greatest)) (pieces (box w) least)
 
-let form : Affine.value -> Linear.t option = function
-  | Finite f -> Some f
-  | Infinite -> None
-  | Unknown -> raise Unknown_somewhere
+(* The function by its pieces; [None] if nothing is known anywhere. *)
+let by_pieces w pieces =
+  let of_piece (p, (least : Affine.value), (most : Affine.value)) =
+    match (least, most) with
+    | Unknown, _ | _, Unknown -> Either.Right p
+    | (Finite _ | Infinite), (Finite _ | Infinite) ->
+      let form : Affine.value -> Linear.t option = function Finite f -> Some f | Infinite | Unknown -> None in
+      Left (p, { Chances.least = form least; most = form most })
+  in
+  match List.partition_map of_piece pieces with
+  | [], _ -> None
+  | known, unknown -> Some (Chances.make w.ranges ~unknown known)
 
 (* Where a mean stands so to a number. *)
 let where_it_is w pieces (test : Answer.bound) =
@@ -190,12 +198,14 @@ let mean w sides mean (test : Answer.bound option) =
   match (test, sides) with
   | Some test, s :: _ -> of_sets w (where_it_is w (mean_ends w graph s) test)
   | _ ->
-    let value (p, least, most) = (p, { Chances.least = form least; most = form most }) in
-    let of_side s = Chances.make w.ranges (List.map value (mean_ends w graph s)) in
+    let of_side s = by_pieces w (mean_ends w graph s) in
+    let is_chain () = Chance_graph.is_chain graph in
+    let sides = Scc_explain.Likelihoods.of_sides ~is_chain sides of_side in
+    let known (s, found) = Option.map (fun c -> (s, c)) found in
     let verdict =
-      match Scc_explain.Likelihoods.of_sides ~is_chain:(fun () -> Chance_graph.is_chain graph) sides of_side with
-      | starts -> by_start w starts
-      | exception Unknown_somewhere -> Undecided (snd (reasons w))
+      match Option.all known sides with
+      | Some starts -> by_start w starts
+      | None -> Verdict.Undecided (snd (reasons w))
     in
     (verdict, unknown w.ranges)
 
@@ -256,7 +266,7 @@ let check (options : Setup.t) shared semantics context u ~declared (check : Prop
   | verdict, where -> Ok { verdict; where; stats = stats w ~faults:[] }
   | exception Limits.Over stop -> without (Truncated (Bounds.stopped options.bounds stop)) []
   | exception Ill_formed fault -> Error fault
-  | exception (Zone_question.Not_asked reason | Chance_graph.Not_answered reason) -> without (Undefined reason) []
+  | exception Zone_question.Not_asked reason -> without (Undefined reason) []
   | exception Instant.Not_affine reason -> without (Fault reason) []
   | exception Law_cells.Bad_law { leaf; fault; at } -> faulty (Bad_law { leaf; fault }) at
   | exception Chance_steps.Bad { fault; at } -> faulty fault at

@@ -24,14 +24,9 @@ type t = {
 }
 
 let progress (options : Setup.t) ~size (node : Zone_graph.node) =
+  let waiting = size - node.number - 1 and model_time = lazy (Zone.earliest node.zone) in
   options.surroundings.progress
-    {
-      states = size;
-      transitions = 0;
-      waiting = size - node.number - 1;
-      depth = node.depth;
-      model_time = Rat.zero;
-    }
+    (Explored { states = size; transitions = 0; waiting; depth = node.depth; model_time })
 
 let proofs_of answers = function
   | Some (By_invariant.Proved { proofs; _ }) -> List.map Option.some proofs

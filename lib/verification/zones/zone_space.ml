@@ -43,9 +43,9 @@ let of_start (options : Setup.t) context zones =
       false
   in
   let progress (node : Zone_graph.node) =
-    let waiting = !size - node.number - 1 in
+    let waiting = !size - node.number - 1 and model_time = lazy (Scc_state_sets.Zone.earliest node.zone) in
     options.surroundings.progress
-      { states = !size; transitions = 0; waiting; depth = node.depth; model_time = Scc_exact.Rat.zero }
+      (Explored { states = !size; transitions = 0; waiting; depth = node.depth; model_time })
   in
   let visitor : Zone_graph.visitor =
     {

@@ -89,7 +89,9 @@ let at point (side, (c : Scc_regions.Chances.t)) =
 
 let over_starts (report : Check.report) point =
   match (outcome report).verdict with
-  | Measured { starts; _ } -> Values (List.map (at point) starts)
+  | Measured { starts; _ } ->
+    let is_known (_, (c : Scc_regions.Chances.t)) = not (Union.mem c.unknown point) in
+    if List.for_all is_known starts then Values (List.map (at point) starts) else Truth None
   | Holds _ | Violated _ | Depends _ | Undecided _ ->
     let w = List.hd report.where in
     if Union.mem w.holds point then Truth (Some true)
@@ -149,7 +151,7 @@ let points random (l : Loaded.t) (report : Check.report) =
     match (outcome report).verdict with
     | Measured { starts; _ } ->
       let set (p : Scc_regions.Chances.part) = p.set in
-      List.concat_map (fun (_, (c : Scc_regions.Chances.t)) -> List.map set c.parts) starts
+      List.concat_map (fun (_, (c : Scc_regions.Chances.t)) -> c.unknown :: List.map set c.parts) starts
     | Holds _ | Violated _ | Depends _ | Undecided _ ->
       let w = List.hd report.where in
       [ w.holds; w.fails ]
@@ -219,12 +221,15 @@ let bump kind =
 let try_mean text number l starts =
   match (mean_of_grid text l starts, Scc_regions.Chances.mean (snd starts)) with
   | None, _ -> ()
-  | Some expected, Some { low = Some low; high = Some high }
+  | Some expected, Between { low = Some low; high = Some high }
     when Rat.equal low expected && Rat.equal high expected ->
     count.means <- count.means + 1
   | Some expected, found ->
-    let low (e : Scc_regions.Chances.ends) = e.low in
-    let found = Option.fold ~none:"none" ~some:Rat.to_string (Option.bind found low) in
+    let found =
+      match found with
+      | Between { low = Some low; _ } -> Rat.to_string low
+      | Between { low = None; _ } | Not_known _ | Not_computed -> "none"
+    in
     Alcotest.failf "model %d of seed %d: the mean of a grid is %s, over all %s\n%s" number seed
       (Rat.to_string expected) found text
 

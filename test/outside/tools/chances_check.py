@@ -62,7 +62,11 @@ def judge(side, script, title, variables, box):
     """Name and truth of each comparison of one side."""
     pieces = [(part, inside(piece, variables)) for part in side["parts"] for piece in part["pieces"]]
     yield "disjoint", all(impossible(box, p, q) for (_, p), (_, q) in itertools.combinations(pieces, 2))
-    yield "cover", impossible(box, z3.Not(z3.Or([p for _, p in pieces])))
+    unknown = [inside(piece, variables) for piece in side.get("unknown", {"pieces": []})["pieces"]]
+    said = z3.And(z3.parse_smt2_string(script + f"(assert |{title}-unknown|)"))
+    yield "unknown", impossible(box, said != z3.Or(unknown))
+    yield "cover", impossible(box, z3.Not(z3.Or([p for _, p in pieces] + unknown)))
+    yield "known", impossible(z3.Or(unknown), z3.Or([p for _, p in pieces]))
     for name in ("low", "high"):
         for part, piece in pieces:
             value = end(part, name, variables)

@@ -411,6 +411,11 @@ def ends(part, point):
     return form("low"), form("high")
 
 
+def is_unknown(side, point):
+    """Whether nothing is known of a mean at a point."""
+    return any(all(holds(row, point) for row in piece) for piece in side.get("unknown", {"pieces": []})["pieces"])
+
+
 def at(side, point):
     found = [p for p in side["parts"] if any(all(holds(r, point) for r in piece) for piece in p["pieces"])]
     assert len(found) == 1, f"{len(found)} parts have the start {point}"
@@ -488,6 +493,9 @@ def try_model(scc, number, seed, count, counts, folder):
                 continue
             if model.check["kind"] == "G":
                 least, most = 1 - most, 1 - least
+            if is_unknown(by_side[side], point):
+                counts.skipped += 1
+                continue
             low, high = at(by_side[side], point)
             if low == high:
                 counts.exact += 1

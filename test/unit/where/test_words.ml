@@ -139,6 +139,7 @@ let smt () =
 (define-fun mean-low-infinite () Bool false)
 (define-fun mean-high () Real 0.0)
 (define-fun mean-high-infinite () Bool (and (<= (* (- 1.0) param-abs) 0.0) (<= param-abs 4.0)))
+(define-fun mean-unknown () Bool false)
 |})
     script
 

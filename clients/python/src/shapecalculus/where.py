@@ -238,21 +238,28 @@ class Starts:
     """A probability or a mean as a function of the start. It is between ``low`` and ``high`` for all starts; a
     ``high`` of None is no bound, as where a mean is infinite for some of them only. ``mean``
     has the ends of its mean over a uniform start; None where a volume is not computed. ``parts`` make up the whole range
-    if ``check`` was called with ``where``; otherwise there are none."""
+    if ``check`` was called with ``where``; otherwise there are none. ``unknown``: the starts for which nothing is known of
+    the mean of a number at a time, as where it has no value; None if there are none. ``low``, ``high`` and ``parts`` are
+    those of all others, and ``mean`` is None if ``unknown`` has a volume."""
 
     low: Ends
     high: Ends
     mean: Optional[Tuple[Ends, Ends]]
     parts: Tuple[Part, ...]
+    unknown: Optional[Region] = None
 
     @classmethod
     def from_json(cls, parameters: Sequence[str], json: Json) -> Starts:
         mean = None if json["mean"] is None else _between(json["mean"])
         parts = tuple(Part.from_json(parameters, part) for part in json.get("parts", []))
-        return cls(*_between(json), mean, parts)
+        unknown = Region.from_json(parameters, json["unknown"]) if "unknown" in json else None
+        return cls(*_between(json), mean, parts, unknown)
 
     def at(self, point: Point) -> Tuple[Ends, Ends]:
-        """The ends at a start. ValueError for a point that is not in the range, or if there are no parts."""
+        """The ends at a start; both are None if nothing is known there. ValueError for a point that is not in the range,
+        or if there are no parts."""
+        if self.parts and self.unknown is not None and self.unknown.contains(point):
+            return None, None
         for part in self.parts:
             if part.region.contains(point):
                 return part.at(point)
