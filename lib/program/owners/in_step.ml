@@ -271,9 +271,7 @@ let begin_ s ~home =
   let filter = Part.filter s.part in
   let initial = Scc_successors.Filter.initial filter in
   if home = me s then begin
-    let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
-    let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0);
+    Part.enter_initial s.part ~home;
     ignore (Part.hits s.part)
   end;
   Part.close s.part;
