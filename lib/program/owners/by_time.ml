@@ -34,6 +34,7 @@ let make part clock mesh expansion (settings : settings) ~show =
   { part; clock; mesh; expansion; settings; show; goals; days = Times.empty; turns = 0; left = []; cut = [] }
 
 let me s = Mesh.number s.mesh
+let turns s = s.turns
 let arrival s id = Clock.time s.clock (Clock.arrival s.clock id)
 
 (* Whether anything is asked of states that are reached at a time. *)

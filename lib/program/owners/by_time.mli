@@ -22,5 +22,8 @@ val make : Part.t -> Clock.t -> Mesh.t -> Expansion.t -> settings -> show:(Progr
 val graph : t -> Cycles.graph
 (** What has been explored. States are numbered by their turns. *)
 
+val turns : t -> int
+(** How many turns there have been, at all owners. *)
+
 val run : t -> home:int -> Progress.t
 (** The whole exploration, whose initial state is that of the owner [home]. *)

@@ -35,6 +35,7 @@ let make part mesh expansion ~searches ~most_states ~show =
     transitions = 0; next = 0; stop = None; told_at = 0.;
   }
 
+let is_expanded s id = id < s.next && not (Part.is_too_long s.part id)
 let token = 'K'
 let goal_met = 'M'
 let how_far = 'S'
