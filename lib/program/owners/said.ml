@@ -138,16 +138,14 @@ let conclusion =
         ~about:"The answer to `= ?`, as in `scc check --json`.";
       maybe "text" some_text (fun (c : Conclusion.t) ->
           match c.verdict with
-          | Measured { values; _ } -> Some (Scc_explain.Likelihoods.values values)
+          | Measured m -> Some (Scc_verify.Verdict.to_string (Measured { m with reasons = [] }))
           | Holds _ | Violated _ | Depends _ | Undecided _ -> None)
-        ~about:"The answer in words.";
+        ~about:"The answer in words, and why it is no fraction where nothing was left out.";
       field "reasons" (list some_text) (fun (c : Conclusion.t) ->
           List.map text (Scc_reports.Check_json.reasons c.verdict))
         ~about:"Why it is not better known, besides states that were not expanded.";
       field "unexplored" bool (fun (c : Conclusion.t) -> c.unexplored)
         ~about:"It is not better known since states were not expanded.";
-      maybe "inexact" some_text (told Scc_verify.Verdict.inexact)
-        ~about:"Why a number is an interval and no fraction, where nothing was left out.";
     ]
   |> about "The verdict of a property that is more than a search."
 
