@@ -17,7 +17,6 @@ def commands(scc):
             ('a model that is read once', 64, ['-']),
             ('no owners', 64, [BONDS, '--owners', '0']),
             ('no deadline', 64, [BONDS, '--deadline', 'inf']),
-            ('more than a search', 64, [model('chain.sc')]),
             ('a bound of time in any order', 64, [model('window.sc'), '--order', 'any']),
             ('no program', 3, [BONDS, '--scc', '/nowhere/scc'])]:
         code, out, said = command(scc, 'check', *arguments) if what != 'no program' else command('/nowhere/scc', 'check', BONDS)

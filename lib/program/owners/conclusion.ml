@@ -126,6 +126,28 @@ let mean l i sides mean test : Verdict.t =
   | [], [ (_, m) ], Some bound -> compared l i bound m
   | [], values, _ -> measured l values (fun () -> Formulas.doubts_of_mean l.formulas i)
 
+(* {1 Whether more states matter} *)
+
+let without_unexplored (d : Scc_ctl.Doubts.t) = d.unexplored = []
+
+let is_settled formulas (c : Wanted.check) =
+  match c.check.asked with
+  | Whether ->
+    let known k _ = Option.is_some (Formulas.truth formulas (c.first + k)) in
+    List.for_all Fun.id (List.mapi known (Plan.searches c.plan))
+  | How_likely _ -> without_unexplored (Formulas.possible_doubts formulas c.first)
+  | Expected (_, (Time_until _ | Events_until _), _) ->
+    without_unexplored (Formulas.doubts_of_mean formulas c.first)
+  | Expected (sides, (Value_at _ as mean), _) ->
+    let is_known side =
+      match Formulas.mean formulas c.first side mean with
+      | Known _ | Unknown { unexplored = []; _ } -> true
+      | Unknown _ -> false
+    in
+    List.for_all is_known sides
+
+let are_settled (w : Wanted.t) formulas = List.for_all (is_settled formulas) w.checks
+
 (* {1 All of them} *)
 
 let one formulas progress ~most_states (c : Wanted.check) =

@@ -13,7 +13,7 @@ type t = {
   near : Tuples.spread;
   nodes : Buffer.t;  (** to be sent to the first owner *)
   arcs : Buffer.t;  (** likewise *)
-  direction : Node.direction;
+  mutable direction : Node.direction;
   mutable graph : Gathered.t option;  (** at the first owner, once it is known how large it is *)
   arrows : Records.arrow Queue.t;  (** from other owners: transitions to states of this one *)
   early : (int * char * string) Queue.t;  (** what has come at the first owner before its graph was made *)
@@ -213,6 +213,7 @@ let one_state g (numbers : Node_numbers.t) ~is_expanded id =
 let few = 64
 
 let gather_all g (numbers : Node_numbers.t) ~is_expanded =
+  g.direction <- Node.direction ();
   if Mesh.number g.mesh = 0 then begin
     let graph = Gathered.make ~size:numbers.size ~owners:(Mesh.count g.mesh) g.wanted in
     g.graph <- Some graph;
@@ -233,8 +234,10 @@ let gather_all g (numbers : Node_numbers.t) ~is_expanded =
   take_arrows g numbers;
   flush g ~least:0;
   ignore (Mesh.gather g.mesh (fun _ -> ""));
-  Option.iter Gathered.finish g.graph;
-  g.graph
+  let graph = g.graph in
+  g.graph <- None;
+  Option.iter Gathered.finish graph;
+  graph
 
 let gather g numbers ~is_expanded =
   try gather_all g numbers ~is_expanded

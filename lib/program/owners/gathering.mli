@@ -15,7 +15,8 @@ val heard : t -> int -> char -> string -> bool
 (** [heard g peer kind text] notes a message of the owner [peer]. It is false if the kind is of something else. *)
 
 val gather : t -> Node_numbers.t -> is_expanded:(int -> bool) -> Gathered.t option
-(** The graph, at the first owner. All owners gather at the same time, with all states at their owners. *)
+(** The graph, at the first owner. All owners gather at the same time, with all states at their owners. They may do
+    so again when they have explored more. *)
 
 val value : t -> Gathered.t -> Scc_property.Property.num -> int -> Rat.t -> (Rat.t, string) result
 (** [value g graph n node offset] is the value of a number at an offset of the trajectory from a node, or why it

@@ -8,7 +8,12 @@ type settings = {
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 
-type calls = { keep : Progress.t -> unit; may_keep : unit -> bool; show : Progress.t -> unit }
+type calls = {
+  keep : Progress.t -> unit;
+  may_keep : unit -> bool;
+  show : Progress.t -> unit;
+  settled : Cycles.graph -> bool;
+}
 
 type t = {
   part : Part.t;
@@ -249,12 +254,6 @@ let next s p =
   s.calls.show after;
   (after, new_states > 0)
 
-let rec run s (p : Progress.t) =
-  if p.stop <> None then p
-  else
-    let p, goes_on = next s p in
-    if goes_on then run s p else if p.too_deep > 0 && p.stop = None then { p with stop = Some Levels } else p
-
 let graph s : Cycles.graph =
   let number id = number ~level:(Levels.level s.levels id) (Levels.rank s.levels id) in
   {
@@ -264,6 +263,18 @@ let graph s : Cycles.graph =
     is_expanded =
       (fun id -> number id <= s.expanded && not (Part.is_too_long s.part id || is_too_deep s id));
   }
+
+let is_settled s before p =
+  (not s.settings.searches) && Progress.is_time_to_look ~before p && s.calls.settled (graph s)
+
+let rec run s (p : Progress.t) =
+  if p.stop <> None then p
+  else
+    let before = p in
+    let p, goes_on = next s p in
+    if goes_on then run s (if is_settled s before p then { p with stop = Some Early } else p)
+    else if p.too_deep > 0 && p.stop = None then { p with stop = Some Levels }
+    else p
 
 (* {1 The beginning} *)
 

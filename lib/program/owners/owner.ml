@@ -132,6 +132,46 @@ let restored o =
 
 let most_states o = Option.value o.begun.states ~default:max_int
 
+(* {1 What is more than searches} *)
+
+(* The graph of all owners, where formulas are to be evaluated. *)
+let gathered o numbers ~is_expanded =
+  match o.gathering with
+  | None -> None
+  | Some gathering ->
+    Option.map (fun graph -> (gathering, graph)) (Gathering.gather gathering (numbers ()) ~is_expanded)
+
+(* At the first owner, while others wait for its questions. *)
+let formulas (wanted : Wanted.t) mesh gathering graph =
+  let listened = ref 0. in
+  let listen () =
+    let now = Unix.gettimeofday () in
+    if now -. !listened > often then begin
+      listened := now;
+      Mesh.pump mesh 0.
+    end;
+    None
+  in
+  let surroundings = Scc_graph_search.Limits.undivided ~stop:listen () in
+  Scc_state_space.Formulas.on ~surroundings wanted.formulas
+    {
+      graph = Gathered.graph graph;
+      predicates = Gathered.predicates graph;
+      number = Gathering.value gathering graph;
+      counted = (fun p -> Gathered.counted graph (Wanted.pattern wanted p));
+    }
+
+(* Whether more states matter: all owners hear from the first one. *)
+let are_settled o mesh numbers (graph : Cycles.graph) =
+  match o.wanted with
+  | None -> false
+  | Some wanted ->
+    let is_settled (gathering, graph) = Conclusion.are_settled wanted (formulas wanted mesh gathering graph) in
+    let found = gathered o numbers ~is_expanded:graph.is_expanded in
+    Mesh.sums mesh [ Bool.to_int (Option.fold ~none:false ~some:is_settled found) ] = [ 1 ]
+
+(* {1 The exploration} *)
+
 let in_step o mesh expansion =
   let settings : In_step.settings =
     {
@@ -141,12 +181,18 @@ let in_step o mesh expansion =
       every = Option.map (fun ms -> float_of_int ms /. 1000.) o.begun.every;
     }
   in
+  let numbers () = Node_numbers.by_levels mesh o.levels in
   let calls : In_step.calls =
-    { keep = keep o; may_keep = (fun () -> not o.parent.waited_for); show = show o }
+    {
+      keep = keep o;
+      may_keep = (fun () -> not o.parent.waited_for);
+      show = show o;
+      settled = are_settled o mesh numbers;
+    }
   in
   let s = In_step.make o.part mesh expansion o.levels settings calls in
   let p = In_step.run s (match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home) in
-  (p, In_step.graph s, fun () -> Node_numbers.by_levels mesh o.levels)
+  (p, In_step.graph s, numbers)
 
 let by_time o mesh expansion clock =
   let question = Filter.question (Part.filter o.part) in
@@ -159,22 +205,17 @@ let by_time o mesh expansion clock =
       most_rounds = most_levels;
     }
   in
-  let s = By_time.make o.part clock mesh expansion settings ~show:(show o) in
+  let numbers s () = Node_numbers.by_turns mesh o.part clock ~turns:(By_time.turns s) in
+  let settled s = are_settled o mesh (numbers s) (By_time.graph s) in
+  let s = By_time.make o.part clock mesh expansion settings ~show:(show o) ~settled in
   let p = By_time.run s ~home:o.home in
-  (p, By_time.graph s, fun () -> Node_numbers.by_turns mesh o.part clock ~turns:(By_time.turns s))
+  (p, By_time.graph s, numbers s)
 
 let in_any_order o mesh expansion =
   let searches = searches (Filter.question (Part.filter o.part)) in
   let free = Free.make o.part mesh expansion ~searches ~most_states:(most_states o) ~show:(show o) in
   o.free <- Some free;
   (free, Free.run free ~home:o.home)
-
-(* The graph of all owners, where formulas are to be evaluated. *)
-let gathered o numbers ~is_expanded =
-  match o.gathering with
-  | None -> None
-  | Some gathering ->
-    Option.map (fun graph -> (gathering, graph)) (Gathering.gather gathering (numbers ()) ~is_expanded)
 
 (* What was found, a cycle, and the graph. *)
 let found_by o mesh cycles expansion =
@@ -205,31 +246,11 @@ let explore o mesh cycles =
   | [ messages; bytes ] -> (p, cycle, graph, messages, bytes)
   | _ -> (p, cycle, graph, 0, 0)
 
-(* At the first owner, while others wait for its questions. *)
 let conclusions o mesh progress = function
   | None -> []
   | Some (gathering, graph) ->
     let wanted = Option.get o.wanted in
-    let listened = ref 0. in
-    let listen () =
-      let now = Unix.gettimeofday () in
-      if now -. !listened > often then begin
-        listened := now;
-        Mesh.pump mesh 0.
-      end;
-      None
-    in
-    let surroundings = Scc_graph_search.Limits.undivided ~stop:listen () in
-    let formulas =
-      Scc_state_space.Formulas.on ~surroundings wanted.formulas
-        {
-          graph = Gathered.graph graph;
-          predicates = Gathered.predicates graph;
-          number = Gathering.value gathering graph;
-          counted = (fun p -> Gathered.counted graph (Wanted.pattern wanted p));
-        }
-    in
-    Conclusion.all wanted formulas progress ~most_states:(most_states o)
+    Conclusion.all wanted (formulas wanted mesh gathering graph) progress ~most_states:(most_states o)
 
 (* The first owner tells what was found; others answer it until the end of the input. *)
 let tell o mesh trace (p, cycle, graph, messages, bytes) =
@@ -270,7 +291,10 @@ let run filter place ~listener ~program ~identity =
   | Some line ->
     let begun = Said.read_begin ~count:place.count line in
     let states = Option.fold ~none:"" ~some:string_of_int begun.states in
-    let identity = String.concat "\n" [ identity; begun.run; states; Said.order_name begun.order ] in
+    let evaluates = if begun.evaluate then [ "evaluate" ] else [] in
+    let identity =
+      String.concat "\n" ([ identity; begun.run; states; Said.order_name begun.order ] @ evaluates)
+    in
     let self : Greeting.self =
       { number = place.number; count = place.count; program; secret = begun.secret; identity }
     in
