@@ -89,7 +89,7 @@ def main():
         'commands': lambda: (troubles.commands(scc), spreading.commands(scc)),
         'addresses': lambda: troubles.addresses(scc),
         'checkpoints': lambda: troubles.checkpoints(scc),
-        'interrupted': lambda: troubles.interrupted(scc),
+        'interrupted': lambda: (troubles.interrupted_soon(scc), troubles.interrupted(scc)),
         'losses': lambda: losses.losses(scc, max(1, times // 10)),
         'standing': lambda: standing.cluster_stands(scc),
         'models': lambda: here(explorations.models),

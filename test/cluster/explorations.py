@@ -96,10 +96,10 @@ def numbers(report):
 
 def killed_by_chance(scc, times):
     """Owners of a model with probabilities are killed, while they explore or gather the graph, and at the end."""
-    path = os.path.join(MODELS, 'glycolysis.sc')
+    path = os.path.join(MODELS, 'association.sc')
     for order in ('levels', 'any'):
         begun = []
-        options = dict(owners=2, order=order, scc=scc)
+        options = dict(owners=2, defines={'n': '8'}, order=order, scc=scc)
         expected = cluster.check(path, disturb=lambda e: begun.append(time.time()), **options)
         lasts, recovered = time.time() - begun[0], 0
         for k, rand, at in at_random(5, times, lasts):
