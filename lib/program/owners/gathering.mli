@@ -4,7 +4,6 @@
     geometry; what depends on it later, values of numbers, the first owner asks for one by one. *)
 
 open Scc_exact
-open Scc_ctl
 
 type t
 
@@ -21,6 +20,3 @@ val gather : t -> Node_numbers.t -> is_expanded:(int -> bool) -> Gathered.t opti
 val value : t -> Gathered.t -> Scc_property.Property.num -> int -> Rat.t -> (Rat.t, string) result
 (** [value g graph n node offset] is the value of a number at an offset of the trajectory from a node, or why it
     has none. It is called at the first owner, while the others wait for messages. *)
-
-val extent : Gathered.t -> int -> Timeline.extent
-(** The extent of the trajectory from a node. *)

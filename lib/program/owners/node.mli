@@ -28,9 +28,6 @@ val extent : follows -> Timeline.extent
 module Step : Hashtbl.HashedType with type t = step
 (** Equality of transitions. *)
 
-val at_once : step array -> step list
-(** The transitions without duration. *)
-
 (** {1 As bytes} *)
 
 type direction

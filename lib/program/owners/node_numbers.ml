@@ -38,7 +38,8 @@ let by_turns mesh part clock ~turns =
   if Array.exists (fun text -> String.length text <> length) all then
     Failure.refused "an owner: it has other turns";
   let byte k = Array.fold_left (fun bits text -> bits lor Char.code text.[k]) 0 all in
-  let rec ones bits = if bits = 0 then 0 else (bits land 1) + ones (bits lsr 1) in
+  let rec count bits sum = if bits = 0 then sum else count (bits lsr 1) (sum + (bits land 1)) in
+  let ones bits = count bits 0 in
   let bytes = Array.init length byte in
   let counts = Array.map ones bytes in
   let before = before counts in

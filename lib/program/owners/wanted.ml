@@ -19,10 +19,9 @@ let means checks =
 
 let find filter =
   let question = Filter.question filter in
-  let premises = question.loaded.premises in
   let add (place, first, found) ((check : Property.check), (known : Question.plan)) =
     match known with
-    | Other when not (List.memq check premises) ->
+    | Other when not (Question.is_premise question check) ->
       let plan = Scc_verify.Joint_check.plan check in
       (place + 1, first + List.length (Plan.searches plan), { place; check; plan; first } :: found)
     | _ -> (place + 1, first, found)
