@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 """Explores models by several owners (`scc successors --owner K/N`), and compares with `scc check --no-reduce order,draws`:
-the numbers of states and transitions, the depth, the verdicts, and the runs that show them. In the order of time, with
-`scc check --shortest time`. With --each, each property by itself: most explorations end early then.
+the numbers of states and transitions, the depth, the verdicts, and the runs that show them; probabilities and means,
+number by number. In the order of time, with `scc check --shortest time`. With --each, each property by itself: most
+explorations end early then. With --evaluated N, so many properties at least must have been more than searches.
 
-    owners_test.py SCC [--states N] [--least N] [--owners N,...] [--order levels|time|any] [--each] MODEL ...
+    owners_test.py SCC [--states N] [--least N] [--evaluated N] [--owners N,...] [--order levels|time|any] [--each] MODEL ...
 
 What is done here of owners is what specs/successors.md says, and no more.
 """
@@ -80,16 +81,35 @@ def verdict(plan, found, runs):
     return decisive if decisive in parts else None if None in parts else not decisive
 
 
-def served(header, complete, order):
-    """Without bounds of time, unless that is the order; what is more than a search may end scc check earlier or later."""
+def served(header, order):
+    """Without bounds of time, unless that is the order."""
     bounded = header['horizon'] is not None or any(g['within'] is not None for g in header['goals'])
-    return (order == 'time' or not bounded) and (complete or all(c['plan'] is not None for c in header['checks']))
+    return order == 'time' or not bounded
+
+
+#: How many properties were compared that are more than searches.
+evaluated = 0
+
+
+def concluded(header, found, there):
+    """What is wrong with the verdicts of properties that are more than searches. They have no runs."""
+    global evaluated
+    wrong = []
+    known = {c['check']: c for c in found.get('conclusions', [])}
+    for k, check in enumerate(header['checks']):
+        if check['plan'] is not None or check['premise']:
+            continue
+        here, said = known[k], there[check['name']]
+        evaluated += 1
+        if (here['verdict'], here.get('values')) != (said['verdict'], said.get('values')):
+            wrong.append('%s: %s, and check says %s' % (check['name'], here, said['text']))
+    return wrong
 
 
 def compared(scc, path, there, count, order, states, folder, named=()):
     """What one exploration finds, and what is wrong with it; None where it is not one to compare."""
     number, last = 0, 1
-    sums, wrong = [0, 0, 0, True], []
+    sums, wrong, early = [0, 0, 0, True], [], False
     while number < last:
         number += 1
         owners = Owners(scc, path, number, count, named)
@@ -97,10 +117,10 @@ def compared(scc, path, there, count, order, states, folder, named=()):
             owners.stop()
             return None
         last = owners.header['explorations']
-        if not served(owners.header, there['explored']['complete'], order):
+        if not served(owners.header, order):
             owners.stop()
             return None
-        found = owners.explore(order=order, states=states)
+        found = owners.explore(order=order, states=states, evaluate=True)
         codes = owners.close()
         if any(codes):
             wrong.append('exit codes %s' % codes)
@@ -109,6 +129,9 @@ def compared(scc, path, there, count, order, states, folder, named=()):
         sums = [sums[0] + explored['states'], sums[1] + explored['transitions'], max(sums[2], explored['depth']), sums[3] and complete]
         if order != 'any' and (owners.header['explorations'] == 1 or found['cycle'] is not None):
             wrong += cycle_differs(scc, path, number, found['cycle'], there['zeno'], named)
+        early = early or found['stopped'] == 'early' and any(c['plan'] is None for c in owners.header['checks'])
+        if order != 'any' or complete:
+            wrong += concluded(owners.header, found, {p['name']: p for p in there['properties']})
         verdicts = {p['name']: p['verdict'] for p in there['properties']}
         for c in owners.header['checks']:
             if c['plan'] is None or c['premise']:
@@ -120,7 +143,9 @@ def compared(scc, path, there, count, order, states, folder, named=()):
             (kind, goal), = c['plan'].items()
             if kind in ('possibly', 'always') and goal in runs:
                 wrong += replayed(scc, path, number, c['name'], goal, runs[goal], folder, order, named)
-    if order != 'any' or there['explored']['complete'] and sums[3]:
+    # What is more than a search may end scc check earlier or later.
+    early = early or there['explored']['decided_early']
+    if not early and order != 'any' or there['explored']['complete'] and sums[3]:
         names = ['states', 'transitions', 'depth', 'complete']
         for name, here in zip(names, sums):
             if here != there['explored'][name] and not (name == 'depth' and order != 'levels'):
@@ -162,6 +187,7 @@ def main():
     parser.add_argument('models', nargs='+')
     parser.add_argument('--states', type=int, default=3000)
     parser.add_argument('--least', type=int, default=0)
+    parser.add_argument('--evaluated', type=int, default=0)
     parser.add_argument('--owners', default='1,2,3')
     parser.add_argument('--order', choices=['levels', 'time', 'any'], default='levels')
     parser.add_argument('--each', action='store_true')
@@ -189,8 +215,9 @@ def main():
                     failed += bool(wrong)
                 else:
                     done += 1
-    print('%d %s compared, %d differ' % (done, 'properties' if given.each else 'models', failed))
-    sys.exit(1 if failed or done < given.least else 0)
+    print('%d %s compared, %d differ; %d verdicts of more than searches' % (
+        done, 'properties' if given.each else 'models', failed, evaluated))
+    sys.exit(1 if failed or done < given.least or evaluated < given.evaluated else 0)
 
 
 if __name__ == '__main__':

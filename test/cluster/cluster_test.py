@@ -81,6 +81,7 @@ def main():
     def alone(scc):
         explorations.resumed(scc)
         explorations.killed(scc, 1, explorations.kill_owner, times, 2)
+        explorations.killed_by_chance(scc, max(3, times // 4))
         spreading.resumed(scc)
         spreading.killed(scc, 3, spreading.kill_task, max(3, times // 4))
         explorations.speed(scc)
@@ -88,10 +89,11 @@ def main():
         'commands': lambda: (troubles.commands(scc), spreading.commands(scc)),
         'addresses': lambda: troubles.addresses(scc),
         'checkpoints': lambda: troubles.checkpoints(scc),
-        'interrupted': lambda: troubles.interrupted(scc),
+        'interrupted': lambda: (troubles.interrupted_soon(scc), troubles.interrupted(scc)),
         'losses': lambda: losses.losses(scc, max(1, times // 10)),
         'standing': lambda: standing.cluster_stands(scc),
         'models': lambda: here(explorations.models),
+        'chances': lambda: here(explorations.chances),
         'here': lambda: here(alone),
         'nodes': lambda: with_nodes(scc, times),
     }

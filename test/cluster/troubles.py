@@ -17,7 +17,6 @@ def commands(scc):
             ('a model that is read once', 64, ['-']),
             ('no owners', 64, [BONDS, '--owners', '0']),
             ('no deadline', 64, [BONDS, '--deadline', 'inf']),
-            ('more than a search', 64, [model('chain.sc')]),
             ('a bound of time in any order', 64, [model('window.sc'), '--order', 'any']),
             ('no program', 3, [BONDS, '--scc', '/nowhere/scc'])]:
         code, out, said = command(scc, 'check', *arguments) if what != 'no program' else command('/nowhere/scc', 'check', BONDS)
@@ -80,6 +79,34 @@ def full(scc, said_so, where):
     code, out, said = command(scc, *arguments, '--checkpoint', where)
     expected = command(scc, *arguments)
     tell('it goes on when there is room', [] if (code, report_of(out)) == (0, report_of(expected[1])) else ['differs: ' + said])
+
+
+#: Seconds within which Ctrl-C ends a command, whatever it does.
+SOON = 2.0
+
+
+def interrupted_soon(scc):
+    """Ctrl-C at several instants: while Ray starts, while owners explore, and while the first one solves equations. Every
+    other time the command alone gets the signal, as by kill."""
+    explores = ['check', BONDS, '-D', 'n=24', '--owners', '2', '--json']
+    solves = ['check', model('association.sc'), '-D', 'n=9', '--owners', '2', '--json']
+    runs = ['simulate', model('brownian.sc'), '--runs', '5000', '--observe', 'x(ligand)', '--every', '1', '--until', '40']
+    for name, arguments, instants in [('exploring', explores, (0.3, 0.7, 1.5, 3, 5, 8, 12)), ('solving', solves, (9, 12, 15)),
+                                      ('simulating', runs, (1, 6, 10))]:
+        for k, at in enumerate(instants):
+            p = subprocess.Popen(in_words(scc, *arguments), stdout=subprocess.PIPE, stderr=subprocess.PIPE, start_new_session=True)
+            awaited(lambda: p.poll() is not None, at)
+            of_it, ended = children(p.pid), p.poll() is not None
+            begin = time.time()
+            if not ended:
+                (os.kill if k % 2 else os.killpg)(p.pid, signal.SIGINT)
+            said = p.communicate(timeout=60)[1].decode().strip().splitlines()
+            lasted = time.time() - begin
+            wrong = [] if ended or p.returncode == 4 else ['code %d, %s' % (p.returncode, said)]
+            wrong += [] if lasted < SOON else ['it takes %.1f s' % lasted]
+            wrong += [] if awaited(lambda: not there(of_it), 20) else ['processes are left']
+            how = 'it had ended' if ended else 'it ends within %.1f s' % lasted
+            tell('Ctrl-C while %s, after %.1f s: %s' % (name, at, how), wrong)
 
 
 def interrupted(scc):

@@ -3,7 +3,7 @@
 open Scc_ctl
 open Scc_property
 
-type asked
+type asked = Formulas.asked
 (** A list of formulas, with their predicates prepared for one system. *)
 
 val ask : Network_lts.context -> Property.temporal list -> asked

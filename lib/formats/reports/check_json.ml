@@ -161,14 +161,14 @@ let spoken_of (o : Verdict.over) = o.instants || Array.length o.ranges > 0
 (* A number, or bounds of it that are proved. *)
 let measured =
   let side : Scc_property.Property.side -> string = function Least -> "least" | Greatest -> "greatest" in
-  let low (_, (m : Scc_ctl.Eval.measured)) = Scc_chance.Answer.lower m.least in
-  let high (_, (m : Scc_ctl.Eval.measured)) = Scc_chance.Answer.upper m.most in
   fields
     [
       field "over" (word side [ Least; Greatest ]) fst;
-      field "low" (nullable Shared.rational) low;
-      field "high" (nullable Shared.rational) high;
+      field "low" (nullable Shared.rational) (fun (_, { Scc_ctl.Eval.least; _ }) -> Scc_chance.Answer.lower least);
+      field "high" (nullable Shared.rational) (fun (_, { Scc_ctl.Eval.most; _ }) -> Scc_chance.Answer.upper most);
     ]
+
+let values_format = list ~least:1 ~most:2 measured
 
 (* A number that depends on the start. *)
 let by_start =
@@ -194,7 +194,7 @@ let curve_point =
       field "time" Witness_json.instant (fun p -> (moment p).offset);
       maybe "after" (constant (`Bool true)) (fun p -> if (moment p).attained then None else Some ())
         ~about:"It counts after this time, and not yet at it.";
-      field "values" (list ~least:1 ~most:2 measured) (fun (p : Verdict.point) -> p.answer);
+      field "values" values_format (fun (p : Verdict.point) -> p.answer);
     ]
 
 let curve (v : Verdict.t) =
@@ -246,7 +246,7 @@ let property_members =
     of_outcome
       (all
          [
-           maybe "values" (list ~least:1 ~most:2 measured) (fun (o : Verdict.outcome) -> values o.verdict)
+           maybe "values" values_format (fun (o : Verdict.outcome) -> values o.verdict)
              ~about:
                "The answer to `= ?`: over the choices of all schedulers, what is the least and the greatest. \
                 Where low and high are one, that is the number; else it is proved to be between them.";

@@ -21,6 +21,15 @@ type t = {
   cure : Verdict.outcome -> string option;  (** what may help with a verdict that met a bound *)
 }
 
+val values : Verdict.t -> (Scc_property.Property.side * Scc_ctl.Eval.measured) list option
+(** The answer of a verdict that is a number. *)
+
+val values_format : ((Scc_property.Property.side * Scc_ctl.Eval.measured) list, unit list) Json_format.t
+(** The format of {!values}. *)
+
+val reasons : Verdict.t -> Verdict.reason list
+(** Why a verdict is undecided, or why a number is not better known. *)
+
 (** A verdict with what its report depends on. *)
 type judged
 

@@ -7,6 +7,18 @@ type 'a t = { extent : extent; start : 'a; first : 'a; rest : 'a piece list }
 let constant extent a = { extent; start = a; first = a; rest = [] }
 let after_start extent a b = { extent; start = a; first = b; rest = [] }
 
+let of_pieces extent ~start ~first rest =
+  let is_before cut = match extent with
+    | Instant -> false
+    | Lasts d -> Algebraic.compare_rat cut d < 0
+    | Forever -> true
+  in
+  let rec increase low = function
+    | [] -> true
+    | p :: rest -> Algebraic.compare low p.cut < 0 && is_before p.cut && increase p.cut rest
+  in
+  if increase Algebraic.zero rest then Some { extent; start; first; rest } else None
+
 let map f t =
   let piece p = { cut = p.cut; at = f p.at; after = f p.after } in
   { extent = t.extent; start = f t.start; first = f t.first; rest = List.map piece t.rest }

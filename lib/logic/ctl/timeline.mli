@@ -34,6 +34,10 @@ val of_cuts :
 (** [of_cuts extent cuts equal f] is the function [f], which changes at most at the cuts. They may be in any order;
     those outside the extent are ignored. *)
 
+val of_pieces : extent -> start:'a -> first:'a -> 'a piece list -> 'a t option
+(** [of_pieces extent ~start ~first rest] is the function with these values, or [None] if the cuts do not increase
+    strictly inside the extent. *)
+
 val map : ('a -> 'b) -> 'a t -> 'b t
 (** [map f t] is [f] of each value, with the same cuts. *)
 

@@ -1,10 +1,8 @@
-open Scc_data
 open Scc_exact
 open Scc_ctl
 open Scc_codec
 open Progress
 open Asked
-module Times = Map.Make (Rat)
 
 type settings = {
   searches : bool;
@@ -21,19 +19,24 @@ type t = {
   expansion : Expansion.t;
   settings : settings;
   show : Progress.t -> unit;
+  settled : t -> bool;
   goals : goal array;
-  mutable days : int Growable.t Times.t;
-  (** states to be expanded, by their times and in the order of turns; some have become earlier since *)
+  days : Days.t;  (** states to be expanded *)
   mutable turns : int;  (** how many there have been, at all owners *)
   mutable left : int list;  (** states that cannot be expanded *)
   mutable cut : int list;  (** states of the last round that are not expanded any more *)
 }
 
-let make part clock mesh expansion (settings : settings) ~show =
+let make part clock mesh expansion (settings : settings) ~show ~settled =
   let goals = Array.map Asked.goal settings.within in
-  { part; clock; mesh; expansion; settings; show; goals; days = Times.empty; turns = 0; left = []; cut = [] }
+  {
+    part; clock; mesh; expansion; settings; show; settled; goals;
+    days = Days.make clock;
+    turns = 0; left = []; cut = [];
+  }
 
 let me s = Mesh.number s.mesh
+let turns s = s.turns
 let arrival s id = Clock.time s.clock (Clock.arrival s.clock id)
 
 (* Whether anything is asked of states that are reached at a time. *)
@@ -53,13 +56,6 @@ type expanded = {
 (* So many states are expanded before others are listened to. *)
 let few = 64
 
-let batch s now =
-  let known = Option.value (Times.find_opt now s.days) ~default:(Growable.create ()) in
-  s.days <- Times.remove now s.days;
-  List.init (Growable.length known) (Growable.get known)
-  |> List.filter (fun id -> Rat.equal (arrival s id) now)
-  |> Array.of_list
-
 let note s x ~now id turn (note : Expansion.note) =
   let moment_of (m : Timeline.moment) = { m with offset = Algebraic.add_rat now m.offset } in
   let in_time goal = On_the_fly.is_in_time s.goals.(goal).within ~arrival:now in
@@ -76,7 +72,7 @@ let note s x ~now id turn (note : Expansion.note) =
      | Some _ | None -> ())
 
 let expand s now =
-  let order = batch s now in
+  let order = Days.take s.days now in
   Expansion.next_round s.expansion;
   let x =
     {
@@ -130,18 +126,9 @@ let first_events s events ~upto =
   List.iter add events;
   met
 
-(* The least turn of the states of a day. Those that are entered now have later ones than all before. *)
-let least_turn s (time, ids) =
-  let rec from k =
-    if k = Growable.length ids then s.turns
-    else
-      let id = Growable.get ids k in
-      if Rat.equal (arrival s id) time then Clock.turn s.clock id else from (k + 1)
-  in
-  (time, from 0)
-
+(* States that are entered now have later turns than all before. *)
 let next_day s all =
-  let known = Option.map (least_turn s) (Times.min_binding_opt s.days) in
+  let known = Days.first s.days ~none:s.turns in
   let add best (t : Touched.t) =
     if Part.is_too_long s.part t.id then best
     else
@@ -219,16 +206,7 @@ let enter_days s all ranks =
     if Part.is_too_long s.part t.id then begin
       if Touched.is_new t then s.left <- t.id :: s.left
     end
-    else
-      let day =
-        match Times.find_opt t.time s.days with
-        | Some day -> day
-        | None ->
-          let day = Growable.create () in
-          s.days <- Times.add t.time day s.days;
-          day
-      in
-      Growable.push day t.id
+    else Days.put s.days t.time t.id
   in
   Array.iteri put all
 
@@ -280,14 +258,8 @@ let next s (p : Progress.t) ~now ~low =
 
 (* States that could be expanded, and are not. *)
 let waiting s each =
-  let of_day time ids =
-    for k = 0 to Growable.length ids - 1 do
-      let id = Growable.get ids k in
-      if Rat.equal (arrival s id) time then each id
-    done
-  in
   List.iter each s.cut;
-  Times.iter of_day s.days
+  Days.iter s.days each
 
 let finish s (p : Progress.t) : Progress.t =
   let goals = Array.length s.goals in
@@ -307,7 +279,8 @@ let finish s (p : Progress.t) : Progress.t =
     | Some (States | Levels) as stop -> stop
     | Some (Early | Late) | None ->
       if not (flag 0) then None
-      else if s.settings.searches && Array.for_all (fun g -> g.decided) s.goals then Some Early
+      else if p.stop = Some Early || (s.settings.searches && Array.for_all (fun g -> g.decided) s.goals) then
+        Some Early
       else Some Late
   in
   {
@@ -336,6 +309,13 @@ let graph s : Cycles.graph =
 let too_late s time =
   match s.settings.horizon with Some bound -> Rat.compare time bound > 0 | None -> false
 
+(* Goals that are met may be met earlier, until they are decided. *)
+let is_settled s before p =
+  let met g = if g.decided then Option.map (fun _ -> { level = 0; owner = 0; id = 0 }) g.met else None in
+  (not s.settings.searches)
+  && Progress.is_time_to_look ~before { p with met = Array.map met s.goals }
+  && s.settled s
+
 let rec rounds s (p : Progress.t) ~last ~at_once next_day =
   match next_day with
   | _ when p.stop <> None -> p
@@ -346,16 +326,16 @@ let rec rounds s (p : Progress.t) ~last ~at_once next_day =
     if match s.settings.most_rounds with Some most -> at_once > most | None -> false then
       { p with stop = Some Levels }
     else
+      let before = p in
       let p, next_day = next s p ~now ~low in
+      let p = if is_settled s before p then { p with stop = Some Early } else p in
       rounds s p ~last:(Some now) ~at_once next_day
 
 let run s ~home =
   let filter = Part.filter s.part in
   let initial = Scc_successors.Filter.initial filter in
   if home = me s then begin
-    let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
-    let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0);
+    Part.enter_initial s.part ~home;
     ignore (Part.hits s.part)
   end;
   Clock.close s.clock;
@@ -370,11 +350,7 @@ let run s ~home =
   s.turns <- 1;
   if home = me s then
     if initial.too_long then s.left <- [ 0 ]
-    else begin
-      let day = Growable.create () in
-      Growable.push day 0;
-      s.days <- Times.singleton Rat.zero day
-    end;
+    else Days.put s.days Rat.zero 0;
   let p : Progress.t =
     {
       level = 0; depth = 0; width = 1; states = 1; transitions = 0;

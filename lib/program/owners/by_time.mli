@@ -16,11 +16,16 @@ type settings = {
 
 type t
 
-val make : Part.t -> Clock.t -> Mesh.t -> Expansion.t -> settings -> show:(Progress.t -> unit) -> t
-(** One owner. The clock is that of its part. [show] is called after each round. *)
+val make : Part.t -> Clock.t -> Mesh.t -> Expansion.t -> settings -> show:(Progress.t -> unit) ->
+  settled:(t -> bool) -> t
+(** One owner. The clock is that of its part. [show] is called after each round, and [settled] as in
+    {!In_step.calls}. *)
 
 val graph : t -> Cycles.graph
 (** What has been explored. States are numbered by their turns. *)
+
+val turns : t -> int
+(** How many turns there have been, at all owners. *)
 
 val run : t -> home:int -> Progress.t
 (** The whole exploration, whose initial state is that of the owner [home]. *)

@@ -35,6 +35,7 @@ let make part mesh expansion ~searches ~most_states ~show =
     transitions = 0; next = 0; stop = None; told_at = 0.;
   }
 
+let is_expanded s id = id < s.next && not (Part.is_too_long s.part id)
 let token = 'K'
 let goal_met = 'M'
 let how_far = 'S'
@@ -211,13 +212,7 @@ let result s =
   snd (Array.fold_left each (0, start) texts)
 
 let run s ~home =
-  let filter = Part.filter s.part in
-  let initial = Scc_successors.Filter.initial filter in
-  if home = Mesh.number s.mesh then begin
-    let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
-    let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0)
-  end;
+  if home = Mesh.number s.mesh then Part.enter_initial s.part ~home;
   Part.keep_first s.part;
   if s.searches && Array.length s.met = 0 then s.stop <- Some (Some Early);
   look_at_hits s;

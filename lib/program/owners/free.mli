@@ -15,5 +15,8 @@ val heard : t -> int -> char -> string -> bool
 (** [heard s peer kind text] answers another message. It is false if the message is of no kind. Raises
     [Packed.Malformed]. *)
 
+val is_expanded : t -> int -> bool
+(** [is_expanded f id] is true if the transitions of a state of this owner were found. *)
+
 val run : t -> home:int -> Progress.t
 (** The whole exploration, whose initial state is that of the owner [home]. *)

@@ -8,7 +8,12 @@ type settings = {
   every : float option;  (** so many seconds between two levels that are kept *)
 }
 
-type calls = { keep : Progress.t -> unit; may_keep : unit -> bool; show : Progress.t -> unit }
+type calls = {
+  keep : Progress.t -> unit;
+  may_keep : unit -> bool;
+  show : Progress.t -> unit;
+  settled : Cycles.graph -> bool;
+}
 
 type t = {
   part : Part.t;
@@ -249,12 +254,6 @@ let next s p =
   s.calls.show after;
   (after, new_states > 0)
 
-let rec run s (p : Progress.t) =
-  if p.stop <> None then p
-  else
-    let p, goes_on = next s p in
-    if goes_on then run s p else if p.too_deep > 0 && p.stop = None then { p with stop = Some Levels } else p
-
 let graph s : Cycles.graph =
   let number id = number ~level:(Levels.level s.levels id) (Levels.rank s.levels id) in
   {
@@ -265,15 +264,25 @@ let graph s : Cycles.graph =
       (fun id -> number id <= s.expanded && not (Part.is_too_long s.part id || is_too_deep s id));
   }
 
+let is_settled s before p =
+  (not s.settings.searches) && Progress.is_time_to_look ~before p && s.calls.settled (graph s)
+
+let rec run s (p : Progress.t) =
+  if p.stop <> None then p
+  else
+    let before = p in
+    let p, goes_on = next s p in
+    if goes_on then run s (if is_settled s before p then { p with stop = Some Early } else p)
+    else if p.too_deep > 0 && p.stop = None then { p with stop = Some Levels }
+    else p
+
 (* {1 The beginning} *)
 
 let begin_ s ~home =
   let filter = Part.filter s.part in
   let initial = Scc_successors.Filter.initial filter in
   if home = me s then begin
-    let near = Scc_graph_search.Tuples.spread (Part.table s.part) in
-    let all = Scc_graph_search.Tuples.difference (Array.map (fun _ -> -1) initial.tuple) initial.tuple in
-    ignore (Part.enter s.part ~near all initial.tuple ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0);
+    Part.enter_initial s.part ~home;
     ignore (Part.hits s.part)
   end;
   Part.close s.part;

@@ -16,6 +16,8 @@ type calls = {
   keep : Progress.t -> unit;  (** the level is to be kept: called by all owners after the same levels *)
   may_keep : unit -> bool;  (** what was kept before is safe; the first owner is asked *)
   show : Progress.t -> unit;  (** after each level *)
+  settled : Cycles.graph -> bool;
+  (** no more states matter to properties that are no searches: called by all owners after the same levels *)
 }
 
 type t

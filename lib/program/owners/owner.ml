@@ -62,6 +62,8 @@ type t = {
   mutable trace : Trace.t option;
   mutable cycles : Cycles.t option;
   mutable free : Free.t option;  (** if it goes in no order *)
+  wanted : Wanted.t option;  (** what is to be evaluated *)
+  mutable gathering : Gathering.t option;
   mutable shown : float;  (** when it told last how far it is *)
   mutable saved : int;  (** levels *)
   mutable telling : bool;  (** everything is found *)
@@ -100,15 +102,16 @@ let hear_peer o peer kind text =
   end
   else
     let known =
-      match (o.trace, o.free, o.cycles) with
-      | _, _, Some cycles when Char.equal kind Cycles.kind ->
+      match (o.trace, o.cycles) with
+      | _, Some cycles when Char.equal kind Cycles.kind ->
         Cycles.heard cycles peer text;
         true
-      | Some trace, _, _ when Char.equal kind Trace.kind || Char.equal kind Trace.told ->
+      | Some trace, _ when Char.equal kind Trace.kind || Char.equal kind Trace.told ->
         Trace.heard trace kind text;
         true
-      | _, Some free, _ -> Free.heard free peer kind text
-      | _, None, _ -> false
+      | _ ->
+        let heard by = Option.fold ~none:false ~some:(fun x -> by x peer kind text) in
+        heard Gathering.heard o.gathering || heard Free.heard o.free
     in
     if not known then Failure.refused "owner %d sends a message of no kind: %C" (peer + 1) kind
 
@@ -129,6 +132,46 @@ let restored o =
 
 let most_states o = Option.value o.begun.states ~default:max_int
 
+(* {1 What is more than searches} *)
+
+(* The graph of all owners, where formulas are to be evaluated. *)
+let gathered o numbers ~is_expanded =
+  match o.gathering with
+  | None -> None
+  | Some gathering ->
+    Option.map (fun graph -> (gathering, graph)) (Gathering.gather gathering (numbers ()) ~is_expanded)
+
+(* At the first owner, while others wait for its questions. *)
+let formulas (wanted : Wanted.t) mesh gathering graph =
+  let listened = ref 0. in
+  let listen () =
+    let now = Unix.gettimeofday () in
+    if now -. !listened > often then begin
+      listened := now;
+      Mesh.pump mesh 0.
+    end;
+    None
+  in
+  let surroundings = Scc_graph_search.Limits.undivided ~stop:listen () in
+  Scc_state_space.Formulas.on ~surroundings wanted.formulas
+    {
+      graph = Gathered.graph graph;
+      predicates = Gathered.predicates graph;
+      number = Gathering.value gathering graph;
+      counted = (fun p -> Gathered.counted graph (Wanted.pattern wanted p));
+    }
+
+(* Whether more states matter: all owners hear from the first one. *)
+let are_settled o mesh numbers (graph : Cycles.graph) =
+  match o.wanted with
+  | None -> false
+  | Some wanted ->
+    let is_settled (gathering, graph) = Conclusion.are_settled wanted (formulas wanted mesh gathering graph) in
+    let found = gathered o numbers ~is_expanded:graph.is_expanded in
+    Mesh.sums mesh [ Bool.to_int (Option.fold ~none:false ~some:is_settled found) ] = [ 1 ]
+
+(* {1 The exploration} *)
+
 let in_step o mesh expansion =
   let settings : In_step.settings =
     {
@@ -138,12 +181,18 @@ let in_step o mesh expansion =
       every = Option.map (fun ms -> float_of_int ms /. 1000.) o.begun.every;
     }
   in
+  let numbers () = Node_numbers.by_levels mesh o.levels in
   let calls : In_step.calls =
-    { keep = keep o; may_keep = (fun () -> not o.parent.waited_for); show = show o }
+    {
+      keep = keep o;
+      may_keep = (fun () -> not o.parent.waited_for);
+      show = show o;
+      settled = are_settled o mesh numbers;
+    }
   in
   let s = In_step.make o.part mesh expansion o.levels settings calls in
   let p = In_step.run s (match restored o with Some p -> p | None -> In_step.begin_ s ~home:o.home) in
-  (p, In_step.graph s)
+  (p, In_step.graph s, numbers)
 
 let by_time o mesh expansion clock =
   let question = Filter.question (Part.filter o.part) in
@@ -156,41 +205,65 @@ let by_time o mesh expansion clock =
       most_rounds = most_levels;
     }
   in
-  let s = By_time.make o.part clock mesh expansion settings ~show:(show o) in
+  let numbers s () = Node_numbers.by_turns mesh o.part clock ~turns:(By_time.turns s) in
+  let settled s = are_settled o mesh (numbers s) (By_time.graph s) in
+  let s = By_time.make o.part clock mesh expansion settings ~show:(show o) ~settled in
   let p = By_time.run s ~home:o.home in
-  (p, By_time.graph s)
+  (p, By_time.graph s, numbers s)
+
+let in_any_order o mesh expansion =
+  let searches = searches (Filter.question (Part.filter o.part)) in
+  let free = Free.make o.part mesh expansion ~searches ~most_states:(most_states o) ~show:(show o) in
+  o.free <- Some free;
+  (free, Free.run free ~home:o.home)
+
+(* What was found, a cycle, and the graph. *)
+let found_by o mesh cycles expansion =
+  let in_order (p, (graph : Cycles.graph), numbers) =
+    let cycle = Cycles.find cycles graph in
+    (p, cycle, gathered o numbers ~is_expanded:graph.is_expanded)
+  in
+  match (o.begun.order, Part.clock o.part) with
+  | Any, _ ->
+    let free, p = in_any_order o mesh expansion in
+    if Option.is_some o.gathering then begin
+      (* What was found when it ended may not have been sent. *)
+      ignore (Expansion.flush expansion);
+      ignore (Mesh.gather mesh (fun _ -> ""))
+    end;
+    let numbers () = Node_numbers.as_they_come mesh o.part ~home:o.home in
+    (* Without an order, nothing tells which transitions lead back. *)
+    (p, None, gathered o numbers ~is_expanded:(Free.is_expanded free))
+  | _, Some clock -> in_order (by_time o mesh expansion clock)
+  | (Levels | Time), None -> in_order (in_step o mesh expansion)
 
 let explore o mesh cycles =
-  let look_for_cycle (p, graph) = (p, Cycles.find cycles graph) in
   let expansion = Expansion.make o.part mesh o.records ~sent:(Sent.create ~bytes:sent_bytes) in
-  let p, cycle =
-    match (o.begun.order, Part.clock o.part) with
-    | Any, _ ->
-      let searches = searches (Filter.question (Part.filter o.part)) in
-      let free = Free.make o.part mesh expansion ~searches ~most_states:(most_states o) ~show:(show o) in
-      o.free <- Some free;
-      (* Without an order, nothing tells which transitions lead back. *)
-      (Free.run free ~home:o.home, None)
-    | _, Some clock -> look_for_cycle (by_time o mesh expansion clock)
-    | (Levels | Time), None -> look_for_cycle (in_step o mesh expansion)
-  in
+  let p, cycle, graph = found_by o mesh cycles expansion in
   o.telling <- true;
   if o.place.number > 0 then Mesh.let_go mesh;
   match Mesh.sums mesh [ Mesh.messages mesh; Mesh.bytes mesh ] with
-  | [ messages; bytes ] -> (p, cycle, messages, bytes)
-  | _ -> (p, cycle, 0, 0)
+  | [ messages; bytes ] -> (p, cycle, graph, messages, bytes)
+  | _ -> (p, cycle, graph, 0, 0)
+
+let conclusions o mesh progress = function
+  | None -> []
+  | Some (gathering, graph) ->
+    let wanted = Option.get o.wanted in
+    Conclusion.all wanted (formulas wanted mesh gathering graph) progress ~most_states:(most_states o)
 
 (* The first owner tells what was found; others answer it until the end of the input. *)
-let tell o mesh trace (p, cycle, messages, bytes) =
+let tell o mesh trace (p, cycle, graph, messages, bytes) =
   let goals = Array.length p.Progress.met in
   let runs = Trace.all trace (Array.append p.met [| Option.map fst cycle |]) in
+  let conclusions = conclusions o mesh p graph in
   Mesh.let_go mesh;
   let lasso (_, round) =
     let stem = Option.value (List.assoc_opt goals runs) ~default:[] in
     { Said.choices = stem @ round; from = List.length stem }
   in
   let runs = List.filter (fun (goal, _) -> goal < goals) runs in
-  let found = { Said.progress = p; runs; cycle = Option.map lasso cycle; messages; bytes } in
+  let found = { Said.progress = p; runs; cycle = Option.map lasso cycle; conclusions; messages; bytes } in
   if o.place.number = 0 then say (Said.line (Found found));
   while true do Mesh.pump mesh (-1.) done
 
@@ -208,6 +281,7 @@ let work o self ~listener =
   o.trace <- Some trace;
   let cycles = Cycles.make o.part mesh o.records in
   o.cycles <- Some cycles;
+  o.gathering <- Option.map (Gathering.make o.part mesh o.records) o.wanted;
   try tell o mesh trace (explore o mesh cycles) with Over -> ()
 
 let run filter place ~listener ~program ~identity =
@@ -217,7 +291,10 @@ let run filter place ~listener ~program ~identity =
   | Some line ->
     let begun = Said.read_begin ~count:place.count line in
     let states = Option.fold ~none:"" ~some:string_of_int begun.states in
-    let identity = String.concat "\n" [ identity; begun.run; states; Said.order_name begun.order ] in
+    let evaluates = if begun.evaluate then [ "evaluate" ] else [] in
+    let identity =
+      String.concat "\n" ([ identity; begun.run; states; Said.order_name begun.order ] @ evaluates)
+    in
     let self : Greeting.self =
       { number = place.number; count = place.count; program; secret = begun.secret; identity }
     in
@@ -225,13 +302,15 @@ let run filter place ~listener ~program ~identity =
     ignore (Option.map2 spill begun.folder begun.memory);
     let clock = match begun.order with Time -> Some (Clock.make ()) | Levels | Any -> None in
     let part = Part.make ?clock filter in
+    let wanted = if begun.evaluate then Some (Wanted.find filter) else None in
     let o =
       {
         place; begun; part; parent;
+        wanted = Option.bind wanted (fun w -> if w.checks = [] then None else Some w);
         levels = Levels.make ();
         records = Array.init place.count (fun _ -> Records.make part);
         home = (Filter.initial filter).fingerprint.(0) mod place.count;
-        trace = None; cycles = None; free = None; shown = 0.; saved = 0; telling = false;
+        trace = None; cycles = None; free = None; gathering = None; shown = 0.; saved = 0; telling = false;
       }
     in
     work o self ~listener

@@ -123,3 +123,9 @@ let enter_prepared p n target ~time ~instant ~sender ~before ~choice =
   let id = Tuples.intern_prepared p.table n in
   if id = known then add p id target ~time ~instant ~sender ~before ~choice
   else again p id ~time ~instant ~sender ~before ~choice
+
+let enter_initial p ~home =
+  let initial = (Filter.initial p.filter).tuple in
+  let all = Tuples.difference (Array.map (fun _ -> -1) initial) initial in
+  let near = Tuples.spread p.table in
+  ignore (enter p ~near all initial ~time:0 ~instant:0 ~sender:home ~before:0 ~choice:0)

@@ -48,6 +48,9 @@ val enter :
     this way. The earliest way counts, and of those of one round that are as early the first. [instant] is the
     number of transitions without duration with which the way ends. *)
 
+val enter_initial : t -> home:int -> unit
+(** [enter_initial p ~home] enters the initial state, which belongs to this owner, whose number is [home]. *)
+
 val close : t -> unit
 (** The ways of all states that are there are final. *)
 

@@ -29,6 +29,12 @@ let compare_events (a : event) (b : event) =
 
 let earlier a b = Option.merge (fun a b -> if compare_events b a < 0 then b else a) a b
 
+let least_looked_at = 100
+
+let is_time_to_look ~before p =
+  let rec doubled k = if k > before.states then k else doubled (2 * k) in
+  p.stop = None && Array.for_all Option.is_some p.met && doubled least_looked_at <= p.states
+
 let add texts more = List.sort_uniq String.compare (more @ texts)
 
 (* {1 As bytes} *)

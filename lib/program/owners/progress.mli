@@ -37,6 +37,10 @@ val stop_name : stop -> string
 val earlier : event option -> event option -> event option
 (** The first of the events that are there. *)
 
+val is_time_to_look : before:t -> t -> bool
+(** [is_time_to_look ~before p] is true if there are twice as many states as when this was so the last time: all
+    goals are met, and it is worth while to see whether more states matter to other properties. *)
+
 val add : string list -> string list -> string list
 (** [add texts more] is both, in order, each once. *)
 

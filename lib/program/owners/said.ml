@@ -14,6 +14,7 @@ type begin_ = {
   folder : string option;
   memory : int option;
   restore : string list;
+  evaluate : bool;
 }
 
 (* {1 What the parent says} *)
@@ -41,7 +42,8 @@ let begin_format =
      and+ every = optional "every" natural (fun b -> b.every)
      and+ folder = optional "folder" some_text (fun b -> b.folder)
      and+ memory = optional "memory" natural (fun b -> b.memory)
-     and+ restore = optional "restore" (list some_text) (fun b -> Some b.restore) in
+     and+ restore = optional "restore" (list some_text) (fun b -> Some b.restore)
+     and+ evaluate = optional "evaluate" bool (fun b -> Some b.evaluate) in
      let addresses = List.filter_map address peers in
      let all_there = List.length addresses = List.length peers in
      ( all_there,
@@ -49,6 +51,7 @@ let begin_format =
          peers = addresses; secret; run; order; states; every; folder; memory;
          deadline = Option.value deadline ~default:10_000;
          restore = Option.value restore ~default:[];
+         evaluate = Option.value evaluate ~default:false;
        } ))
 
 let refused fmt = Printf.ksprintf (fun text -> Failure.refused "the first line of the input: %s" text) fmt
@@ -76,6 +79,7 @@ type found = {
   progress : Progress.t;
   runs : (int * int list) list;
   cycle : lasso option;
+  conclusions : Conclusion.t list;
   messages : int;
   bytes : int;
 }
@@ -123,6 +127,28 @@ let cycle =
     ]
   |> about "A run that comes back, within one instant, to the state after its first `from` transitions."
 
+let conclusion =
+  let text (r : Scc_verify.Verdict.reason) = Scc_verify.Verdict.reason_to_string r in
+  let told f (c : Conclusion.t) = f c.verdict in
+  fields
+    [
+      field "check" natural (fun (c : Conclusion.t) -> c.check) ~about:"Its place among those of the header.";
+      field "verdict" Scc_reports.Check_json.kind_format (told Scc_reports.Check_json.kind);
+      maybe "values" Scc_reports.Check_json.values_format (told Scc_reports.Check_json.values)
+        ~about:"The answer to `= ?`, as in `scc check --json`.";
+      maybe "text" some_text (fun (c : Conclusion.t) ->
+          match c.verdict with
+          | Measured m -> Some (Scc_verify.Verdict.to_string (Measured { m with reasons = [] }))
+          | Holds _ | Violated _ | Depends _ | Undecided _ -> None)
+        ~about:"The answer in words, and why it is no fraction where nothing was left out.";
+      field "reasons" (list some_text) (fun (c : Conclusion.t) ->
+          List.map text (Scc_reports.Check_json.reasons c.verdict))
+        ~about:"Why it is not better known, besides states that were not expanded.";
+      field "unexplored" bool (fun (c : Conclusion.t) -> c.unexplored)
+        ~about:"It is not better known since states were not expanded.";
+    ]
+  |> about "The verdict of a property that is more than a search."
+
 let found =
   let p f x = f x.progress in
   fields
@@ -135,6 +161,9 @@ let found =
       field "open" (list natural) (p left_open);
       field "runs" (list run) (fun x -> x.runs);
       field "cycle" (nullable cycle) (fun x -> x.cycle);
+      maybe "conclusions" (list ~least:1 conclusion) (fun x ->
+          match x.conclusions with [] -> None | all -> Some all)
+        ~about:"With `evaluate`.";
       field "faults" (list text) (p (fun p -> p.faults));
       field "ends" (list text) (p (fun p -> p.ends));
       field "too_long" natural (p (fun p -> p.too_long));

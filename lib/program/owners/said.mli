@@ -19,6 +19,7 @@ type begin_ = {
   folder : string option;  (** where they are written, and tables that are too large *)
   memory : int option;  (** MiB beyond which tables are in files *)
   restore : string list;  (** files to begin with *)
+  evaluate : bool;  (** properties that are more than searches are evaluated *)
 }
 
 val read_begin : count:int -> string -> begin_
@@ -33,6 +34,7 @@ type found = {
   progress : Progress.t;
   runs : (int * int list) list;  (** by goal that is met, the choices of a run to it *)
   cycle : lasso option;  (** in which no time passes, if one was found *)
+  conclusions : Conclusion.t list;  (** of properties that are more than searches *)
   messages : int;  (** between all owners *)
   bytes : int;
 }

@@ -76,6 +76,8 @@ let make ~reductions ~bits ~names ~number l =
     let goals = Array.of_list (List.rev !goals) in
     Ok { loaded = l; initial; reductions; bits; number; count; exploration; plans; goals }
 
+let is_premise q check = List.memq check q.loaded.premises
+
 let horizon q =
   let e = q.exploration in
   Known_early.horizon (Scc_semantics.Semantics.model e.semantics) ~initial:e.start e.members

@@ -42,6 +42,10 @@ val make :
 (** The question of the properties with these names, or of all if there are none. An unknown property or
     exploration is SC0922. *)
 
+val is_premise : t -> Property.check -> bool
+(** [is_premise q check] is true if the check is none of the model, but has to come true for one of them to say
+    anything. *)
+
 val horizon : t -> Scc_exact.Rat.t option
 (** The time after which no property depends on states: no state that is reached later is expanded. *)
 

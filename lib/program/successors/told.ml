@@ -160,7 +160,7 @@ let check =
     [
       field "name" text (fun (_, ((c : Property.check), _)) -> c.name);
       field "formula" text (fun (_, ((c : Property.check), _)) -> c.text);
-      field "premise" bool (fun ((q : Question.t), (c, _)) -> List.memq c q.loaded.premises);
+      field "premise" bool (fun (q, (c, _)) -> Question.is_premise q c);
       field "plan" (nullable plan) with_plan;
     ]
 

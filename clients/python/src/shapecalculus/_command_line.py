@@ -65,7 +65,7 @@ def parser() -> argparse.ArgumentParser:
     top = Parser(prog="scc-cluster", description="The Shape Calculus on many machines, by Ray.", epilog=EXITS)
     commands = top.add_subparsers(dest="command", required=True)
 
-    p = commands.add_parser("check", help="explore a model, and decide its searches", epilog=EXITS)
+    p = commands.add_parser("check", help="explore a model, and decide its properties", epilog=EXITS)
     where(p, "levels")
     p.add_argument("--owners", type=positive(int), metavar="N", help="processes among which states are shared")
     p.add_argument("-D", "--define", type=define, action="append", default=[], metavar="NAME=VALUE")

@@ -40,7 +40,7 @@ def clear() -> None:
 def as_text(report: cluster.Report) -> str:
     lines: List[str] = []
     for v in report.properties:
-        kind = v.kind.replace("holds-up-to-bound", "holds up to the bound")
+        kind = v.text or v.kind.replace("holds-up-to-bound", "holds up to the bound")
         lines += ["%s: %s" % (v.name, kind), "  " + v.formula]
         lines += ["    %s" % reason for reason in v.reasons]
         if v.schedule is not None:
@@ -97,6 +97,8 @@ def code_of(report: cluster.Report) -> int:
             return code
     if "violated" in kinds:
         return 1
+    if any(v.kind == "measured" and v.reasons for v in report.properties):
+        return 2
     return 2 if "undecided" in kinds or (not report.properties and not report.complete) else 0
 
 

@@ -35,6 +35,7 @@ class Progress:
     open: List[int] = field(default_factory=list)  # goals that may be met after states that were not expanded
     stopped: str = ""  # why it did not go to the end: "" or "early", "states", "levels", "late"
     cycle: Optional[Dict[str, Any]] = None  # a run that comes back within one instant: "from" and "choices"
+    conclusions: Dict[int, Any] = field(default_factory=dict)  # by check: of one that is more than a search
     faults: List[str] = field(default_factory=list)
     ends: List[str] = field(default_factory=list)
     too_long: int = 0
@@ -51,7 +52,8 @@ def progress_of(told: Any) -> Progress:
         return Progress(**told["going"])
     rest = {k: told[k] for k in ("doubts", "open", "cycle", "faults", "ends", "too_long", "messages", "bytes")}
     runs = {run["goal"]: run["choices"] for run in told["runs"]}
-    return Progress(runs=runs, stopped=told["stopped"] or "", **told["found"], **rest)
+    conclusions = {c["check"]: c for c in told.get("conclusions", [])}
+    return Progress(runs=runs, conclusions=conclusions, stopped=told["stopped"] or "", **told["found"], **rest)
 
 
 def owner_class(ray: Any) -> Any:

@@ -10,7 +10,6 @@ report = cluster.check("model.sc", address="ray://head:10001")    # on a cluster
 from __future__ import annotations
 
 import os
-import re
 import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Callable, Dict, List, Optional, Sequence, Tuple
@@ -46,7 +45,7 @@ LOST = "its run could not be rebuilt, as scc was lost: "
 
 
 class NotServed(ClusterFailed):
-    """A property that is not decided by searches for states."""
+    """A property that is not decided on a cluster, or not in this order."""
 
     def __init__(self, message: str):
         super().__init__(message, 64)
@@ -56,9 +55,11 @@ class NotServed(ClusterFailed):
 class Verdict:
     name: str
     formula: str
-    kind: str  #: holds, holds-up-to-bound, violated or undecided, as in ``scc check --json``
+    kind: str  #: holds, holds-up-to-bound, violated, measured or undecided, as in ``scc check --json``
     reasons: List[str]
-    schedule: Optional[Any]  #: of a run that shows it, for ``scc trace --schedule``
+    schedule: Optional[Any]  #: of a run that shows it, for ``scc trace --schedule``; only of searches
+    values: Optional[List[Any]] = None  #: of one that is measured: the numbers, as in ``scc check --json``
+    text: Optional[str] = None  #: the same in words
 
 
 @dataclass
@@ -138,28 +139,18 @@ def has_bounds(header: Any) -> bool:
 BOUNDS = "%s: bounds of time need the order of time, and not --order any"
 
 
-#: Probabilities and means, of which runs tell something.
-NUMBER = re.compile(r"[PE]( min| max)? *(=|<|>)")
-
-
 def listed(checks: Sequence[Any]) -> str:
     return ", ".join("`%s`" % c["name"] for c in checks)
 
 
-def served(header: Any, searches: bool, order: str) -> None:
-    other = [c for c in header["checks"] if c["plan"] is None and not c["premise"]]
-    if other and not searches:
-        numbers = [c for c in other if NUMBER.match(c["formula"])]
-        are = "is more than a search" if len(other) == 1 else "are more than searches"
-        advice = "`scc check` decides this; "
-        if numbers:
-            advice += "`scc-cluster estimate` tells of %s from runs; " % listed(numbers)
-        raise NotServed(
-            "%s %s for a state (operators of time within others, probabilities or means): %swith --searches all else "
-            "is decided here" % (listed(other), are, advice)
-        )
+def served(header: Any, order: str) -> None:
     if order == "any" and has_bounds(header):
         raise NotServed(BOUNDS % listed([c for c in header["checks"] if not c["premise"]]))
+
+
+def evaluated(header: Any) -> bool:
+    """Whether there is more than searches: operators of time within others, probabilities or means."""
+    return any(c["plan"] is None and not c["premise"] for c in header["checks"])
 
 
 def arguments_of(defines: Dict[str, str], checks: Sequence[str], options: Sequence[str]) -> List[str]:
@@ -185,13 +176,14 @@ def check(
     progress: Optional[Callable[[Progress], None]] = None,
     disturb: Optional[Callable[[Any], None]] = None,
 ) -> Report:
-    """The verdicts of the searches of a model, with the numbers and runs of ``scc check --no-reduce order,draws``.
+    """The verdicts of a model, with the numbers, and the runs of searches, of ``scc check --no-reduce order,draws``.
 
     ``address`` is that of a cluster; without one, Ray is started here. ``owners`` is how many processes share the
     states (by default one for each processor). Shards are kept in the folder ``checkpoint`` about once a second (a
     path that all machines share, or an address of fsspec): lost owners begin again from there, and so does a later call.
     Without it, and without an address, they are kept in a folder that is removed in the end. ``searches``: properties
-    that are more than a search are left undecided, and not refused. ``order``: "levels"; "time", in which states are
+    that are more than a search are left undecided; else the first owner evaluates them in the end, on the graph of all
+    owners without its geometry. ``order``: "levels"; "time", in which states are
     taken in the order of the times at which they are reached, as by ``scc check --shortest time``; or "any", with which
     owners do not wait for each other, and runs need not be the shortest. Where a property has a bound of time, "levels"
     is "time". Levels alone are kept. ``memory``: MiB that each owner takes for its tables, beyond which they are in files.
@@ -204,7 +196,7 @@ def check(
     given = arguments_of(defines or {}, checks, options)
     report = Report()
     with told(), tempfile.TemporaryDirectory() as scratch:
-        numbers = explorations(model, given, searches, order, scc)
+        numbers = explorations(model, given, order, scc)
         base = checkpoint or (scratch if address is None else None)
         folders: Dict[int, Optional[Folder]] = dict.fromkeys(numbers)
         if base is not None:
@@ -217,18 +209,21 @@ def check(
             of_this = given + ["--exploration", str(number)]
             here = address is None
             keeps = checkpoint is not None
-            explored(ray, model, of_this, scc, owners, folder, states, order, memory, here, keeps, progress, disturb, report)
+            asked: Dict[str, Any] = {"states": states, "order": order, "evaluate": not searches}
+            if memory is not None:
+                asked["memory"] = memory
+            explored(ray, model, of_this, scc, owners, folder, asked, here, keeps, progress, disturb, report)
     return report
 
 
-def explorations(model: str, given: List[str], searches: bool, order: str, scc: Optional[str]) -> List[int]:
+def explorations(model: str, given: List[str], order: str, scc: Optional[str]) -> List[int]:
     """Their numbers. All are looked at before anything is explored."""
     count, number = 1, 0
     while number < count:
         number += 1
         f = Filter(model, given + ["--exploration", str(number)], scc=scc)
         f.close()
-        served(f.header, searches, order)
+        served(f.header, order)
         count = f.header["explorations"]
     return list(range(1, count + 1))
 
@@ -240,9 +235,7 @@ def explored(
     scc: Optional[str],
     owners: Optional[int],
     folder: Optional[Folder],
-    states: int,
-    order: str,
-    memory: Optional[int],
+    asked: Dict[str, Any],
     here: bool,
     keeps: bool,
     progress: Optional[Callable[[Progress], None]],
@@ -253,32 +246,34 @@ def explored(
     lines.close()  # until there are runs to be shown
     header = lines.header
     count = owners or max(1, int(ray.cluster_resources().get("CPU", 1)))
-    if order == "levels" and has_bounds(header):
-        order = "time"
-    if order != "levels":
+    if asked["order"] == "levels" and has_bounds(header):
+        asked["order"] = "time"
+    in_levels = asked["order"] == "levels"
+    if not in_levels:
         folder = None
         report.unkept += [c["name"] for c in header["checks"] if keeps and not c["premise"]]
-    asked: Dict[str, Any] = {"states": states, "order": order}
-    if memory is not None:
-        asked["memory"] = memory
+    if not evaluated(header):
+        del asked["evaluate"]
     path, show = os.path.abspath(model), metrics(ray, progress)
     e = Exploration(ray, path, given, scc, header, count, folder, asked, here, show)
     try:
         p = e.run(disturb)
         report.states += p.states
         report.transitions += p.transitions
-        deepest = order == "levels" and report.depth is not None
+        deepest = in_levels and report.depth is not None
         report.depth = max(report.depth or 0, p.depth) if deepest else None
         report.seconds, report.owners = report.seconds + e.seconds, count
         report.complete = report.complete and p.complete
         report.dead_ends = sorted(set(report.dead_ends) | set(p.ends))
         report.faults = sorted(set(report.faults) | set(p.faults))
-        for c in header["checks"]:
-            if not c["premise"]:
+        for k, c in enumerate(header["checks"]):
+            if k in p.conclusions:
+                report.properties.append(concluded(c, p, asked["states"], header, p.conclusions[k]))
+            elif not c["premise"]:
                 goal = goal_shown(c["plan"], p)
                 choices = None if goal is None else p.runs[goal]
                 schedule, why = (None, []) if choices is None else replayed(model, given, scc, goal, choices)
-                report.properties.append(shown(c, p, states, header, schedule, why))
+                report.properties.append(shown(c, p, asked["states"], header, schedule, why))
         if p.cycle is not None and report.zeno is None:
             report.zeno = comes_back(model, given, scc, p.cycle)
         report.recovered += e.recovered
@@ -322,6 +317,14 @@ def shown(
     kind = verdict(c["plan"], p)
     reasons = reasons_of(p, states, header) if kind in ("undecided", "holds-up-to-bound") else []
     return Verdict(c["name"], c["formula"], kind, reasons + why, schedule)
+
+
+def concluded(c: Any, p: Progress, states: int, header: Any, found: Any) -> Verdict:
+    """Of a property that is more than a search."""
+    reasons = list(found["reasons"])
+    if found["unexplored"] and found["verdict"] in ("undecided", "measured", "holds-up-to-bound"):
+        reasons += reasons_of(p, states, header)
+    return Verdict(c["name"], c["formula"], found["verdict"], reasons, None, found.get("values"), found.get("text"))
 
 
 def metrics(ray: Any, progress: Optional[Callable[[Progress], None]]) -> Callable[[Progress], None]:
