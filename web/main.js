@@ -224,6 +224,7 @@ const Main = (() => {
     if (scene) {
       let start = Exactly.values(player.run.values);
       const draw = () => {
+        scene.playing = player.playing;
         scene.mark(Marked.now(player, scene.bodies.colors));
         scene.show(player.course, player.legs, player.time);
         const now = Exactly.values(player.run.values);
