@@ -259,15 +259,34 @@ class Scene {
    * @param {number} width @param {number} height
    */
   #lost(width, height) {
-    const { byLeaf, leaves } = this.bodies, project = this.projector(width, height);
     let out = false;
-    for (const { leaf, matrix: m } of byLeaf.values()) {
-      if (leaves[leaf].fixed) continue;
-      const { x, y, seen } = project([m[0], m[1], m[2]]), here = seen && x > 0 && x < width && y > 0 && y < height;
+    for (const here of this.#within(width, height)) {
       if (here === this.playing) return !here;
       out ||= !here;
     }
     return out;
+  }
+
+  /**
+   * Whether each body that is not fixed is in the picture.
+   * @param {number} width @param {number} height @returns {Generator<boolean>}
+   */
+  *#within(width, height) {
+    const { byLeaf, leaves } = this.bodies, project = this.projector(width, height);
+    for (const { leaf, matrix: m } of byLeaf.values()) {
+      if (leaves[leaf].fixed) continue;
+      const { x, y, seen } = project([m[0], m[1], m[2]]);
+      yield seen && x > 0 && x < width && y > 0 && y < height;
+    }
+  }
+
+  /** Whether a body that is not fixed is in the picture. */
+  inView() {
+    if (Scene.why) return true;
+    this.draw();
+    const { width, height } = this.frame;
+    for (const here of this.#within(width, height)) if (here) return true;
+    return false;
   }
 
   /** What is marked now. */
