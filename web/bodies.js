@@ -34,6 +34,11 @@ class Bodies {
     this.cut = new Set();
     /** The heart of walls that are not around others by themselves: the middle of all that moves. */
     this.heart = { value: [0, 0, 0, 0] };
+    /**
+     * Walls that are around others together: behind one that is cut away there is another one.
+     * @type {Set<number>}
+     */
+    this.shared = new Set();
     /** @type {[number, number, number][]} */
     this.centres = [];
     /** @type {ReturnType<typeof Colors.ofLeaves>} */
@@ -121,6 +126,7 @@ class Bodies {
 
   /** @param {ReturnType<typeof Walls.find>} walls */
   setWalls(walls) {
+    this.shared = walls.shared;
     this.walls = new Map([...walls].map(([leaf, heart]) => [leaf, heart ? { value: [...heart, 1] } : this.heart]));
     this.cut = new Set();
     this.#paint();
@@ -202,10 +208,11 @@ class Bodies {
     const known = this.whole[leaf];
     if (known) return known;
     const { absorbs } = this.leaves[leaf], heart = this.#heartOf(leaf);
-    const around = !heart ? "" : heart === this.heart ? "wall" : `wall ${heart.value}`;
+    const pane = heart === this.heart && !this.shared.has(leaf);
+    const around = !heart ? "" : heart === this.heart ? (pane ? "pane" : "wall") : `wall ${heart.value}`;
     const kind = this.#kind(`body ${this.shapes[leaf]} ${around}`, () => {
       const made = new Kind(Shapes.body(this.models[leaf], this.sizes[leaf] / 4), {
-        ...(heart ? { heart, lineOpacity: 0.6 } : { lineOpacity: 0.85 }), casts: true, stripes: absorbs, line: 1.3,
+        ...(heart ? { heart, lineOpacity: 0.6, pane } : { lineOpacity: 0.85 }), casts: true, stripes: absorbs, line: 1.3,
       });
       made.ink.value = this.colors.line;
       return made;

@@ -111,9 +111,9 @@ const Changes = (() => {
       return Dom.make("li", { test: "change" }, [
         leaf === null ? Dom.make("bdi", { text }) : Dom.button(text, () => Details.select({ leaf }), { class: "link" }),
         Dom.make("span", { class: "quiet", text: ` ${what} ` }),
-        Dom.make("bdi", { class: "was", text: Dom.clip(before, 160) }),
+        Dom.make("bdi", { class: "was", text: Dom.clip(Exactly.brief(before), 160), title: Dom.clip(before, 2000) }),
         Dom.make("span", { class: "quiet", text: " → " }),
-        Dom.make("bdi", { class: "is", text: Dom.clip(after, 160) }),
+        Dom.make("bdi", { class: "is", text: Dom.clip(Exactly.brief(after), 160), title: Dom.clip(after, 2000) }),
       ]);
     };
     return Dom.make("div", { class: "changes" }, [

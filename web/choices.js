@@ -134,7 +134,7 @@ const Choices = (() => {
               ? "The run lets less time pass here than could. Choose something to go there."
               : possible.length === 1
                 ? "One thing is possible."
-                : `${possible.length} things are possible. Choose one to go there.`,
+                : `${possible.length} things are possible.${Live.on || possible.some((one) => one.to !== null) ? " Choose one to go there." : ""}`,
     );
   }
 

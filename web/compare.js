@@ -106,7 +106,7 @@ const Compare = (() => {
       };
       second = known(two);
       end = { after: Further.after(data, run), straight: Further.straight(second.course) };
-      parting = part(known(one), second);
+      parting = part(known(one), second, longer.course.duration);
     }
     move();
   }
@@ -148,21 +148,32 @@ const Compare = (() => {
 
   /**
    * Where two runs part, as far as both are known: how time is cut into steps makes no difference.
-   * @param {Player} one @param {Player} two @returns {Parting}
+   * @param {Player} one @param {Player} two @param {Rational} time up to which it is looked for @returns {Parting}
    */
-  function part(one, two) {
-    const [a, b] = [events(one), events(two)], start = one.run.start !== two.run.start;
+  function part(one, two, time) {
+    const [first, second] = [one, two].map((of) => all(of, time));
+    const [a, b] = [first.events, second.events], start = one.run.start !== two.run.start;
     let same = 0;
     while (!start && same < Math.min(a.length, b.length) &&
       a[same].label === b[same].label && Rational.cmp(a[same].time, b[same].time) === 0) same++;
     const here = a[same] || null, there = b[same] || null;
-    const [more, less] = here ? [here, two] : [there, one], until = known(less);
+    const [more, { until }] = here ? [here, second] : [there, first];
     // What comes when the run without it is not followed any more is no difference.
     if (start || (here && there) || (more && (!until || Rational.cmp(more.time, until) < 0)))
       return { same, here, there, start, until: null };
-    const [first, second] = [known(one), known(two)];
-    const least = !first ? second : !second || Rational.cmp(first, second) < 0 ? first : second;
+    const [u, v] = [first.until, second.until];
+    const least = !u ? v : !v || Rational.cmp(u, v) < 0 ? u : v;
     return { same, here: null, there: null, start, until: least };
+  }
+
+  /**
+   * The events of a run, also those after its states where it goes on by the same steps elsewhere; and before which time they
+   * are all known.
+   * @param {Player} of @param {Rational} time up to which they are looked for
+   */
+  function all(of, time) {
+    const further = Further.rounds(of.data, of.run, of.course, time);
+    return further ? { events: [...events(of), ...further.events], until: further.until } : { events: events(of), until: known(of) };
   }
 
   /**

@@ -60,6 +60,16 @@ const Exactly = (() => {
     return Dom.make("span", { class: "number" }, parts);
   }
 
+  /** So many characters of a number are told. */
+  const longest = 40;
+
+  /**
+   * A text in which numbers of more digits than one can read are told by their decimals.
+   * @param {string} text
+   */
+  const brief = (text) => text.replace(/-?\d+(?:\/\d+)?/g, (number) =>
+    number.length <= longest ? number : `~${Rational.decimal(Rational.of(number)).text}`);
+
   /**
    * The nearest instant of the grid on which time is played.
    * @param {number} x
@@ -79,5 +89,5 @@ const Exactly = (() => {
     return Rational.of(s);
   }
 
-  return { decimal, told, text, values, both, show, grid, read };
+  return { decimal, told, text, brief, values, both, show, grid, read };
 })();

@@ -42,5 +42,28 @@ const Further = (() => {
   const straight = (course) =>
     course.bodiesAfter(course.legs.length, course.duration).every((body) => !body.process.turn);
 
-  return { after, prolong, straight };
+  /**
+   * What happens in a run that goes on by the same steps elsewhere, after what the page has of it: no states, as all that moves
+   * is elsewhere each time. Up to a time, and one round more.
+   * @param {PageData} data @param {PlayedRun} run @param {Course} course @param {Rational} time
+   * @returns {{ events: { legs: number, label: string, time: Rational }[], until: Rational } | null}
+   */
+  function rounds(data, run, course, time) {
+    if (run.way || run.finish !== "repeats" || typeof run.cycle !== "number" || after(data, run) !== "open") return null;
+    const again = run.steps.slice(run.cycle).map(({ label }) => data.labels[label]);
+    if (again.every(({ duration }) => !duration)) return null;
+    const events = [];
+    let now = course.duration, legs = run.steps.length;
+    for (let over = false; !over && legs + again.length <= most;) {
+      over = Rational.cmp(now, time) > 0;
+      for (const label of again) {
+        if (label.duration) now = Rational.add(now, Rational.of(label.duration));
+        else events.push({ legs, label: label.words || label.text, time: now });
+        legs++;
+      }
+    }
+    return { events, until: now };
+  }
+
+  return { after, prolong, straight, rounds };
 })();

@@ -62,9 +62,15 @@ const Keys = (() => {
     dialog.addEventListener("click", (event) => {
       if (event.target === dialog) dialog.close();
     });
-    Dom.get("help").addEventListener("click", () => dialog.showModal());
+    Dom.get("help").addEventListener("click", open);
     document.addEventListener("keydown", key);
     release();
+  }
+
+  /** From its top: what has the focus is at its end. */
+  function open() {
+    dialog.showModal();
+    dialog.scrollTop = 0;
   }
 
   /** Keys go on working on the page after one has chosen from a list by the pointer, or pressed Escape in a field. */
@@ -163,7 +169,7 @@ const Keys = (() => {
     o: () => Tools.flip("projection"),
     u: () => Tools.flip("up"),
     Escape: () => Details.select(null),
-    "?": () => dialog.showModal(),
+    "?": open,
   };
 
   /** @param {string} test */

@@ -43,7 +43,7 @@ const Shaders = (() => {
 
   const face = {
     vertex: `
-    ${rows} in vec3 normal; in float pattern; uniform vec4 eye;
+    ${rows} in vec3 normal; in float pattern; uniform vec4 eye; uniform float pane;
     ${cut}
     out vec3 vWorld; out vec3 vNormal; out vec4 vTint; out float vPattern;
     void main() {
@@ -54,7 +54,7 @@ const Shaders = (() => {
       vTint = tint;
       vPattern = pattern;
       gl_Position = camera * vec4(world, 1.0);
-      if (gone(world, n, eye)) gl_Position = nowhere;
+      if (gone(world, n, eye) != (pane > 0.5)) gl_Position = nowhere;
       // The other side of a face hides the lines around it.
       else if (heart.w >= 0.0 && dot(n, eye.xyz - eye.w * world) < 0.0) gl_Position.z -= 8e-5 * gl_Position.w;
     }`,
@@ -150,13 +150,17 @@ class Kind {
   /** After all that is not seen through others. */
   static last = 1e6;
 
+  /** How much is seen of a pane. */
+  static clear = 0.22;
+
   /**
    * @typedef {{ stripes?: boolean, flat?: boolean, line?: number, lineOpacity?: number, own?: boolean, ghost?: number,
-   *   casts?: boolean, pull?: number, order?: number, other?: number[], heart?: { value: number[] }, seam?: boolean }} KindStyle
+   *   casts?: boolean, pull?: number, order?: number, other?: number[], heart?: { value: number[] }, pane?: boolean, seam?: boolean }} KindStyle
    *   stripes: of the colour `other`; flat: without shades; line: width in pixels; own: lines of the colour that is
    *   pushed; ghost: how much is seen of lines and faces through what is in front of them; casts: it has a shadow; heart:
-   *   it is a wall, of which faces between the eye and this place are cut away (last 1: of the body, 0: of the world); seam: its
-   *   lines are drawn where no faces of such kinds are seen, and the faces are not drawn.
+   *   it is a wall, of which faces between the eye and this place are cut away (last 1: of the body, 0: of the world); pane:
+   *   what is cut away of it is seen as a pane; seam: its lines are drawn where no faces of such kinds are seen, and the faces are
+   *   not drawn.
    * @param {{ faces?: { positions: number[], normals: number[], patterns: number[] }, lines?: number[] }} shape
    * @param {KindStyle} style
    */
@@ -191,12 +195,17 @@ class Kind {
       uniforms: {
         ...Kind.shared, stripes: { value: style.stripes ? 1 : 0 }, ink: { value: style.other || [1, 1, 1] },
         opacity: { value: opacity }, flatness: { value: style.flat ? 1 : wall ? 0.6 : 0 }, heart: style.heart || { value: [0, 0, 0, -1] },
+        pane: { value: 0 },
       },
       offset: [1 - pull, 1 - pull], both: wall,
       ...more,
     });
     this.#add(mesh, paint(1, style.seam ? { mask: "is", flat: true, offset: [1, 1] } : {}), style.seam ? Kind.last : order, style.casts);
     if (style.ghost) this.#add(mesh, paint(style.ghost, { blend: true, over: true }), Kind.last + order);
+    if (!style.pane) return;
+    const pane = paint(Kind.clear, { blend: true, flat: true, both: false });
+    Object.assign(pane.uniforms, { pane: { value: 1 }, flatness: { value: 1 }, shadow: { value: 0 } });
+    this.#add(mesh, pane, 20);
   }
 
   /** @param {ReturnType<typeof Kind.ribbons>} ribbons @param {number} order */

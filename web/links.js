@@ -203,7 +203,7 @@ const Links = (() => {
         arrive(said, there);
         return;
       } else if (run !== player.run) player.open(run);
-    }
+    } else if (said.has("way")) notice("the address has choices, and not the run that they belong to");
     arrive(said, true);
   }
 

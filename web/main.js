@@ -24,6 +24,8 @@ const Main = (() => {
       runs: () => player.runs.map((run) => ({ name: run.name, index: run.index, steps: run.steps.length })),
       link: () => Links.text(),
       work: () => (scene ? scene.work : null),
+      moved: () => scene !== null && scene.moved,
+      inView: () => scene === null || scene.inView(),
       look: () => (scene ? scene.look() : null),
       file: (/** @type {any} */ wishes) => Export.bytes(wishes),
       command: (/** @type {any} */ wishes) => Export.command(wishes || {}),
@@ -224,6 +226,7 @@ const Main = (() => {
     if (scene) {
       let start = Exactly.values(player.run.values);
       const draw = () => {
+        scene.playing = player.playing;
         scene.mark(Marked.now(player, scene.bodies.colors));
         scene.show(player.course, player.legs, player.time);
         const now = Exactly.values(player.run.values);

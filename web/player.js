@@ -185,12 +185,18 @@ class Player {
 
   /** Goes where the run of a check leads: to the instant that decides, if it ends so. */
   conclude() {
+    const decides = this.deciding();
+    if (decides) this.place(decides.legs, decides.time);
+    return decides !== null;
+  }
+
+  /** Where the run of a check leads: the instant that decides, or null if it does not end so. */
+  deciding() {
     const { steps, finish } = this.run;
-    if (!Player.decisive.includes(finish || "")) return false;
+    if (!Player.decisive.includes(finish || "")) return null;
     const tail = steps.findIndex((step) => step.tail);
     const legs = tail < 0 ? steps.length : tail;
-    this.place(legs, finish === "rests" ? this.instant(legs) : this.until(legs));
-    return true;
+    return { legs, time: finish === "rests" ? this.instant(legs) : this.until(legs) };
   }
 
   /**

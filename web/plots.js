@@ -324,9 +324,10 @@ const Plots = (() => {
       }
     const truth = Formulas.kind(plot) === "state";
     if (truth || !(low <= high)) [low, high] = [0, 1];
-    // What hardly changes has some room, more of it where numbers are so great that one more is the same float.
-    const pad = Math.max(1, 1e-6 * Math.abs(high));
-    if (high - low < 1e-12 * Math.max(1, Math.abs(high))) [low, high] = [low - pad, high + pad];
+    // What does not change has some room, more of it where numbers are so great that one more is the same float; so has what
+    // changes by a few floats.
+    const pad = Math.max(Math.abs(high) < 1e-6 ? Math.abs(high) : 1, 1e-12 * Math.abs(high));
+    if (high - low <= 1e-14 * Math.abs(high)) [low, high] = [low - pad || -1, high + pad || 1];
     const free = (high - low) * 0.12;
     const y = (/** @type {number} */ value) =>
       height - 6 - ((value - low + free) / (high - low + 2 * free)) * (height - 12);

@@ -196,7 +196,8 @@ const Regions = (() => {
   function share(is) {
     let sum = Rational.zero;
     for (const r of where.regions) if (is(r)) sum = Rational.add(sum, Rational.of(r.share));
-    return ` in ${Rational.text(sum).replace(/\/1$/, "")} of the ranges`;
+    return Rational.sign(sum) === 0 ? ", for single values alone" : Rational.cmp(sum, Rational.one) === 0 ? " everywhere in the ranges"
+      : ` in ${Rational.text(sum).replace(/\/1$/, "")} of the ranges`;
   }
 
   /** @param {DataRegion} r */

@@ -12,7 +12,24 @@ const Runs = (() => {
    */
   let entries = [];
   let chosen = 0;
-  const bare = "A verdict about all runs: no single run shows it.";
+
+  /**
+   * What is said where no run is the reason of a verdict.
+   * @param {DataRun["check"]} check
+   */
+  const bare = (check) =>
+    check && check.verdict === "undecided" ? "It is undecided: no run shows more of it." : "A verdict about all runs: no single run shows it.";
+
+  /**
+   * What is said over the scene where the run that is shown does not decide its check.
+   * @param {PlayedRun} run
+   */
+  function note(run) {
+    if (run.bare) return `${bare(run.check)} This is the beginning.`;
+    const [why] = run.ending || [];
+    if (!run.check || !why || Player.decisive.includes(run.finish || "")) return "";
+    return `${why[0].toUpperCase()}${why.slice(1)}. This is a run from there, by first choices.`;
+  }
 
   /** @typedef {{name: string, check: DataRun["check"], run: PlayedRun}} Entry */
 
@@ -42,9 +59,9 @@ const Runs = (() => {
     if (entries.length === 0) entries.push({ name: player.run.name, check: null, run: player.run });
     chosen = entries.findIndex((entry) => entry.run === player.run);
     Dom.fill(box, ...entries.map(card));
-    const note = Dom.get("scene-note");
-    note.hidden = !player.run.bare;
-    note.textContent = player.run.bare ? `${bare} This is the beginning.` : "";
+    const text = note(player.run);
+    Dom.get("scene-note").hidden = text === "";
+    Dom.get("scene-note").textContent = text;
     reasons(entries[chosen]);
     mark();
   }
@@ -68,7 +85,7 @@ const Runs = (() => {
         role: "option",
         id: `run-${index}`,
         test: "run",
-        "title": entry.run.bare ? bare : null,
+        "title": entry.run.bare ? bare(entry.check) : null,
         "data-run": entry.name.slice(0, 200),
         click: () => choose(index),
       },
@@ -147,7 +164,7 @@ const Runs = (() => {
   function reasons(entry) {
     const panel = Dom.get("why");
     if (!entry) return;
-    const { run, check } = entry;
+    const { run, check } = entry, facts = run.facts || [];
     const values = Exactly.values(run.values);
     Dom.fill(
       panel,
@@ -158,7 +175,7 @@ const Runs = (() => {
             Dom.make("bdi", { text: check.text }),
           ])
         : null,
-      run.bare ? Dom.make("p", { class: "quiet", text: bare }) : null,
+      run.bare ? Dom.make("p", { class: "quiet", text: bare(check) }) : null,
       run.way
         ? Dom.make("p", {
             class: "quiet",
@@ -167,12 +184,27 @@ const Runs = (() => {
         : null,
       otherwise(run),
       values === "" ? null : Dom.make("p", {}, ["where ", Dom.make("bdi", { text: values })]),
-      lines("What is so there", run.facts || []),
+      facts.length > 0 ? lines("What is so there", facts, there(run)) : null,
       marked(run),
       run.argument ? Dom.make("h3", { text: "Because" }) : null,
       run.argument ? tree(run.argument) : null,
-      lines("How it ends", (run.ending || []).filter((line) => !(run.facts || []).includes(line))),
+      lines("How it ends", (run.ending || []).filter((line) => !facts.includes(line)), facts.length > 0 ? null : there(run)),
     );
+  }
+
+  /**
+   * What leads to the instant that decides.
+   * @param {PlayedRun} run
+   */
+  function there(run) {
+    const at = run === player.run ? player.deciding() : null;
+    if (!at) return null;
+    const go = () => {
+      player.pause();
+      player.go(at.legs, at.time);
+    };
+    return Dom.button(`t = ${Dom.clip(Exactly.brief(Exactly.text(at.time)), 24)}`, go,
+      { class: "link", title: "Go to the instant that decides", test: "deciding" });
   }
 
   /**
@@ -211,17 +243,26 @@ const Runs = (() => {
     ]);
   }
 
-  /** @param {string} head @param {string[]} texts */
-  function lines(head, texts) {
+  /** @param {string} head @param {string[]} texts @param {HTMLElement | null} [beside] */
+  function lines(head, texts, beside = null) {
     if (texts.length === 0) return null;
     return Dom.make("div", {}, [
-      Dom.make("h3", { text: head }),
+      Dom.make("h3", {}, [head, " ", beside]),
       Dom.make(
         "ul",
         {},
-        texts.map((text) => Dom.make("li", {}, [Dom.make("bdi", { text })])),
+        texts.map((text) => Dom.make("li", {}, [fact(text)])),
       ),
     ]);
+  }
+
+  /**
+   * A fact, with very long numbers by their decimals.
+   * @param {string} text
+   */
+  function fact(text) {
+    const brief = Exactly.brief(text);
+    return Dom.make("bdi", { text: brief, title: brief === text ? null : Dom.clip(text, 2000) });
   }
 
   /**
@@ -256,7 +297,7 @@ const Runs = (() => {
         Dom.make("bdi", { text: argument.claim }),
         argument.holds ? " holds" : " fails",
         argument.where ? Dom.make("span", { class: "quiet", text: ` · ${argument.where}` }) : null,
-        ...argument.because.map((text) => Dom.make("span", { class: "because" }, [Dom.make("bdi", { text })])),
+        ...argument.because.map((text) => Dom.make("span", { class: "because" }, [fact(text)])),
       ]),
       time
         ? Dom.make("span", {

@@ -33,6 +33,13 @@ class Scene {
     this.shape = "";
     /** Whether the camera was moved by hand since all bodies were last brought into view. */
     this.moved = false;
+    /** Whether the run is played. */
+    this.playing = false;
+    /**
+     * What was shown when it was last looked whether bodies have left the picture.
+     * @type {{ course: Course, legs: number, time: Rational } | null}
+     */
+    this.looked = null;
     /**
      * How high the floor is.
      * @type {Rational}
@@ -43,7 +50,7 @@ class Scene {
     /** @type {Course | null} of which walls are known */
     this.course = null;
     /** @type {ReturnType<typeof Walls.find>} */
-    this.walls = new Map();
+    this.walls = Object.assign(new Map(), { shared: new Set() });
     /**
      * Of these, those that are not around others by themselves; where others move in the run; and from where both are told.
      * @type {{ boxes: Box[], places: number[][], base: bigint[], sight: string }}
@@ -242,6 +249,44 @@ class Scene {
     this.work = performance.now() - began;
     this.gl.shade(Kind.shared.shade.value, Shaders.depth);
     this.gl.draw(orbit.camera.clip);
+    if (this.looked === now || this.composed) return;
+    this.looked = now;
+    if (this.fitted && !orbit.flight && this.followed === null && this.#lost(width, height)) this.restart();
+  }
+
+  /**
+   * Whether what is not fixed has left the picture: a body, or of a run that is played all of them.
+   * @param {number} width @param {number} height
+   */
+  #lost(width, height) {
+    let out = false;
+    for (const here of this.#within(width, height)) {
+      if (here === this.playing) return !here;
+      out ||= !here;
+    }
+    return out;
+  }
+
+  /**
+   * Whether each body that is not fixed is in the picture.
+   * @param {number} width @param {number} height @returns {Generator<boolean>}
+   */
+  *#within(width, height) {
+    const { byLeaf, leaves } = this.bodies, project = this.projector(width, height);
+    for (const { leaf, matrix: m } of byLeaf.values()) {
+      if (leaves[leaf].fixed) continue;
+      const { x, y, seen } = project([m[0], m[1], m[2]]);
+      yield seen && x > 0 && x < width && y > 0 && y < height;
+    }
+  }
+
+  /** Whether a body that is not fixed is in the picture. */
+  inView() {
+    if (Scene.why) return true;
+    this.draw();
+    const { width, height } = this.frame;
+    for (const here of this.#within(width, height)) if (here) return true;
+    return false;
   }
 
   /** What is marked now. */

@@ -60,9 +60,10 @@ const Walls = (() => {
   }
 
   /**
-   * The leaves that are walls, each with a place in what it is around, as the leaf sees it, if it is by itself.
+   * The leaves that are walls, each with a place in what it is around, as the leaf sees it, if it is by itself; and which of
+   * them are around others together.
    * @param {Bodies} bodies @param {Box[]} boxes
-   * @returns {Map<number, Triple | null>}
+   * @returns {Map<number, Triple | null> & { shared: Set<number> }}
    */
   function find(bodies, boxes) {
     /** @type {Map<number, Triple | null>} */
@@ -81,7 +82,7 @@ const Walls = (() => {
       const heart = parts.length < 200 ? places.find((at) => around(parts, at)) : undefined;
       if (heart || shared.has(wall.leaf) || (largest > 0 && Frame.size(wall) > 4 * largest)) found.set(wall.leaf, heart || null);
     }
-    return found;
+    return Object.assign(found, { shared });
   }
 
   /**

@@ -86,3 +86,23 @@ What cannot be done is told, and nothing is left behind.
   [3]
   $ ls *.html
   chain.html
+
+A run by choices that is given up, or whose numbers become too long, is shown as far as it came: checks are decided before.
+
+  $ cat > given_up.sc <<'EOF'
+  > process p = box(1, 1, 1) mass 1 velocity (3/2, 0, 0) [nil]
+  > motion p = (1/(5 - time), 0, 0)
+  > check early : eventually x(p) >= 1/5 within 2
+  > EOF
+  $ cat > long.sc <<'EOF'
+  > process p = box(1, 1, 1) mass 1 velocity (3/2, 0, 0) [nil]
+  > motion p = (vx*vx - vx/3, 0, 0)
+  > check early : eventually x(p) >= 1 within 2
+  > EOF
+  $ first() { scc view $1 --data -o - | tr -d '\n' | grep -o '"name":"first choices".*"ending":\[[^]]*\]' | grep -o '"ending":.*'; }
+  $ first given_up.sc
+  "ending":["the law of motion of p cannot be evaluated: it divides by zero"]
+  $ first long.sc
+  "ending":["it is not followed further: its numbers become too long"]
+  $ scc view long.sc --bits 50 --data -o - | tr -d '\n' | grep -o '"name":"first choices".*' | grep -o '"to":' | wc -l
+  6

@@ -621,6 +621,10 @@ def plain(b, scc, folder):
 def looking(b, scc, folder):
     """The view of a new text is seen from where one looked at the one before, and has the same panels open."""
     b.begin(scc, folder, 'looking.sc')
+    edited = lambda script: (b.js(script), b.is_read(), b.wait('return !desk.state().older && desk.state().working === null'))
+    edited('desk.set(desk.text().replace("(-4,-1,0)", "(996,499,0)").replace("(4,1/2,0)", "(1004,1001/2,0)"))')
+    same('bodies that were moved far away are seen', b.frame('return [scc.inView(), scc.moved()]'), [True, False])
+    edited('desk.set(desk.text().replace("(996,499,0)", "(-4,-1,0)").replace("(1004,1001/2,0)", "(4,1/2,0)"))')
     camera = 'return decodeURIComponent(scc.link().split("camera=")[1].split("&")[0])'
     whole = b.frame(camera)
     inside = 'document.querySelector("iframe.frame:not(.coming)").contentDocument'
@@ -636,6 +640,11 @@ def looking(b, scc, folder):
     b.is_read()
     b.wait('return !desk.state().older && desk.state().working === null')
     same('the same camera', b.frame(camera), there)
+    edited('desk.set(desk.text().replace("(-4,-1,0)", "(996,499,0)").replace("(4,1/2,0)", "(1004,1001/2,0)"))')
+    sees = 'return document.querySelector("iframe.frame:not(.coming)").contentWindow.scc.inView()'
+    check('bodies that leave the picture are sought', b.wait(sees))
+    edited('desk.set(desk.text().replace("(996,499,0)", "(-4,-1,0)").replace("(1004,1001/2,0)", "(4,1/2,0)"))')
+    check('and back', b.wait(sees))
     pressed = f'return {inside}.querySelector(`[data-testid=${{arguments[0]}}]`).getAttribute("aria-pressed")'
     same('the same switches', [b.js(pressed, one) for one in ['names', 'plots-switch', 'grid']], ['true', 'false', 'true'])
     b.js('desk.set(desk.text().replace(/\\btug\\b/g, "boat").replace(/\\bship\\b/g, "quay").replace("(-4,", "(-400,"))')

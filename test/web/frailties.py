@@ -212,7 +212,7 @@ def addresses(b, scc):
     """Whatever part of an address is not followed is told."""
     page = scc.view(written(scc, CUBES.format('1')))
     for wrong in ['step=-1', 'run=0&step=99', 'step=1x', 'time=-1', 'time=99999999', 'select=0.0.face.999', 'select=0.9.face.0', 'select=0.0.nose.1',
-                  'select=0.0.face.x', 'select=0.0', 'size=0x0', 'size=axb', 'size=3', 'nothing=1']:
+                  'select=0.0.face.x', 'select=0.0', 'size=0x0', 'size=axb', 'size=3', 'nothing=1', 'way=0.1']:
         b.open(page, wrong)
         check(f'{wrong} is told', b.text('notice').startswith('The address was not followed in all'), b.text('notice'))
     for right in ['step=0', 'run=0&step=0&time=0', 'time=1/2', 'select=0', 'select=0.0.face.1', 'size=800x600']:

@@ -407,6 +407,97 @@ def deciding(b, scc):
     same('and follows', b.driver.find_element('id', 'about').text, 'y = 0, z = 0')
 
 
+UNDECIDED = """import <solids>
+motion choose {(1, 0, 0), (-1, 0, 0), (0, 1, 0)}
+fixed drain = box(1, 6, 6) absorb at translate (-40, 0, 0)
+process a = solids.Cube(1) mass 1 [nil]
+process b = solids.Cube(1) mass 1 at translate (6, 1/2, 0) [nil]
+check far : possibly x(a) > 1000000
+check near : always x(a) < x(b) + 400
+check soon : eventually x(a) = 2 within 3
+"""
+
+RANGES = """import <solids>
+param y in [-2, 4]
+process a = solids.Cube(2) mass 1 velocity (1, 0, 0) at translate (0, y, 0) [nil]
+process b = solids.Cube(2) mass 1 at translate (6, 0, 0) [nil]
+check meets : possibly vx(b) > 0
+check gone : possibly x(b) > 9 and y < -5
+"""
+
+GROWS = """import <solids>
+process p = solids.Cube(1) mass 1 velocity (3/2, 0, 0) [nil]
+motion p = (vx*vx - vx/3, 0, 0)
+check c : eventually x(p) > 10000000000 within 6
+check d : always vx(p) < 3000
+"""
+
+
+def undecided(b, scc):
+    """What is undecided says so, and so does a run that does not decide; each run leads to the instant that its facts are about."""
+    card = lambda name: b.driver.find_element('css selector', f'[data-run="{name}"]').click()
+    note = lambda: b.text('scene-note') if b.find('scene-note').is_displayed() else ''
+    b.open(scc.view(written(scc, UNDECIDED), '--states', '2000'))
+    card('far')
+    check('where a run to what is not explored leads', 'unexplored' in b.text('why'), b.text('why'))
+    same('its run needs no note', note(), '')
+    last = b.js('return scc.runs().find((run) => run.name === "far")') and b.state()
+    b.find('deciding').click()
+    check('a press leads there', b.state()['legs'] > last['legs'] and b.state()['time'] != '0', b.state()['time'])
+    card('near')
+    check('what holds up to a bound is about all runs', 'no single run' in note(), note())
+    b.open(scc.view(written(scc, 'import <solids>\nfixed drain = box(1, 6, 6) absorb at translate (6, 0, 0)\n'
+                                 'process b = solids.Cube(1) mass 1 velocity (1, 0, 0) [nil]\ncheck all : always x(b) < 100\n')))
+    card('all')
+    check('without a run, what is undecided is no verdict about all runs',
+          note().startswith('It is undecided') and 'A verdict' not in b.text('why'), (note(), b.text('why')))
+    b.open(scc.view(written(scc, RANGES)))
+    card('meets')
+    check('a run that does not decide says so over the scene', note().startswith('No run from there does otherwise'), note())
+    card('first choices')
+    same('another run does not', note(), '')
+    b.find('tab-where').click()
+    b.js('const menu = document.querySelector("[data-testid=where-check]"); menu.value = [...menu.options].find((o) => o.text === "gone").value; '
+         'menu.dispatchEvent(new Event("change", { bubbles: true }))')
+    words = b.js('return document.querySelector(".where-legend").textContent')
+    check('what is so everywhere is not so in 1 of the ranges', 'everywhere in the ranges' in words and ' in 1 of' not in words, words)
+    # Of a network without bodies, too.
+    b.open(scc.view(written(scc, 'network nil\ncheck late : possibly time > 4\n')))
+    b.find('deciding').click()
+    same('time alone', b.state()['time'], '5')
+
+    b.open(scc.view(written(scc, GROWS)))
+    same('long numbers: which run', b.state()['run'], 'c')
+    whole = b.js('return scc.data.runs[0].facts.join()')
+    check('the file has them whole', re.search(r'\d{25}/\d{25}', whole), whole)
+    words = b.text('why') + b.text('now')
+    check('they are told by their decimals', '~' in words and not re.search(r'\d{20}', words), words)
+    same('the console is told nothing', b.complaints(), [])
+
+
+def narrow(b, scc):
+    """In small windows: the values of the start, the top of the help; everywhere, lists are as wide as their words."""
+    page = scc.view('specs/models/meeting.sc')
+    for size in [(400, 700), (800, 600), (1400, 900)]:
+        b.size(*size)
+        b.open(page)
+        about = b.driver.find_element('id', 'about')
+        same(f'{size}: the start is told', (about.is_displayed(), about.text), (True, 'y = -5/2, z = 0'))
+        b.find('help').click()
+        same(f'{size}: help begins with its head', b.js('return document.getElementById("keys").scrollTop'), 0)
+        b.find('keys-close').click()
+        for test in ['events-kind', 'events-body']:
+            # Beside the words there is room for the arrow of the list.
+            room = b.js("""
+              const menu = document.querySelector(`[data-testid="${arguments[0]}"]`), pen = document.createElement("canvas").getContext("2d");
+              pen.font = getComputedStyle(menu).font;
+              return menu.clientWidth - pen.measureText(menu.selectedOptions[0].text).width;""", test)
+            check(f'{size}: {test} shows its words', room > 20, room)
+        wide = b.js('return [document.documentElement.scrollWidth, innerWidth]')
+        check(f'{size}: nothing is wider than the window', wide[0] <= wide[1], wide)
+    b.size(1400, 900)
+
+
 def contrast(b, scc):
     """From the run of a check to the nearest one that does otherwise, at the step after which they part, and back."""
     b.open(scc.view('specs/models/ruin.sc'))
@@ -806,6 +897,15 @@ def camera_of(b):
     return json.loads(unquote(b.js('return scc.link()').split('camera=', 1)[1].split('&')[0]))
 
 
+#: Of two runs, the first is over soon, and the second one leads far up.
+ELSEWHERE = """import <solids>
+process a = solids.Cube(1) mass 1 velocity (1/8, 0, 0) [nil]
+process b = solids.Cube(1) mass 1 velocity (0, 4, 0) at translate (5, 0, 0) [nil]
+check soon : eventually x(a) > 3 within 1/4
+check late : eventually x(a) > 9 within 10
+"""
+
+
 def framed(b, scc):
     """The bodies are brought into view beside the legend and above the buttons, until the user moves the camera."""
     b.open(scc.view('specs/models/glycolysis.sc', '--graph', '4', '--seconds', '5'))
@@ -814,9 +914,11 @@ def framed(b, scc):
       const bar = document.getElementById("scene-tools").getBoundingClientRect();
       return [Object.values(scc.floats()).map((p) => scc.sight(p).at), box.width, bar.top - box.top];"""
 
-    def check_all(what):
+    def check_all(what, wide=True):
         all_, width, below = b.js(spots)
         check(f'{what}: all bodies are within the picture', all(90 < x < width and 0 < y < below for x, y in all_), (all_, width, below))
+        if not wide:
+            return
         # Of their middles; a scene that is much wider than high has free sides.
         wide, part = max(x for x, _ in all_) - min(x for x, _ in all_), 0.3 * min(width, 2 * below)
         check(f'{what}: they take a good part of it', wide > part, (wide, part, all_))
@@ -837,6 +939,13 @@ def framed(b, scc):
     check('a key moves it', mine != moved, mine)
     sized(1400, 900)
     same('then it stays', camera_of(b), mine)
+    # Another run leads elsewhere.
+    b.open(scc.view(written(scc, ELSEWHERE)))
+    check_all('at the first check')
+    for index, what in [(1, 'at the second check'), (0, 'and back')]:
+        b.all('[data-testid="run"]')[index].click()
+        sized(1400, 900)
+        check_all(what, wide=False)
     same('the console is told nothing', b.complaints(), [])
 
 
@@ -1082,4 +1191,4 @@ def without_webgl(scc):
         b.quit()
 
 
-PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, legend, keys_after_menus, hostile, far_away, motion, lost_context, no_states_beyond, large]
+PARTS = [by_mouse, graphs, found_states, events, formulas, small, reasons, deciding, undecided, narrow, contrast, starts, onwards, by_keys, links, plots, upright, walls, framed, legend, keys_after_menus, hostile, far_away, motion, lost_context, no_states_beyond, large]

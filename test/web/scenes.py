@@ -200,6 +200,19 @@ def compared(b, scc):
     same('the console is told nothing', b.complaints(), [])
 
 
+#: Two are bound, and move on while chance may part them.
+DRIFTS = """import <solids>
+split_step 1/2
+behaviour O = <l, {right}>. B
+behaviour B = omega(l, {right}) rate 1/2. O
+behaviour P = <~l, {left}>. Q
+behaviour Q = omega(l, {left}). P
+process a = solids.Cube(1) mass 1 velocity (1/3, 0, 0) [O]
+process b = solids.Cube(1) mass 1 at translate (3, 0, 0) [P]
+check ends : eventually event weak(l)
+"""
+
+
 def beyond(b, scc):
     """Two runs after the last step that is told of one: for ever, by its repeated steps, or not at all."""
     def both(one, two):
@@ -238,6 +251,16 @@ def beyond(b, scc):
     check('nor drawn', b.js(SEEN, [0, 0x80, 0x9c]) == 0)
     same('the other way about', both('pairs', 'first choices')('1')['words'], words)
 
+    # One goes on by the same steps elsewhere, for ever.
+    b.open(scc.view(written(scc, DRIFTS)))
+    told = both('ends', 'ends, otherwise')('0')
+    here, there = [run for run in b.js('return scc.data.runs') if run['name'].startswith('ends')]
+    labels = b.js('return scc.data.labels')
+    length = lambda run: sum(Fraction(labels[step['label']].get('duration', '0')) for step in run['steps'])
+    check('it parts after the end of what is shown of it', length(there) > length(here), (length(here), length(there)))
+    check('what is drawn anew there is told', 'Then here: a and b are to keep' in told['words'] and
+          'There: a and b are to release' in told['words'] and told['words'].count('at time 7') == 2, told['words'])
+    same('and when', told['parts'], '7')
     # What rests goes straight on.
     b.open(scc.view(written(scc, """import <solids>
 process p = solids.Cube(1) mass 1 velocity (1, 0, 0) [nil]
@@ -283,7 +306,7 @@ def size_of(png):
     return struct.unpack('>II', chunks(png)['IHDR'][:8])
 
 
-#: Pixels of pictures, of which a mask says what is there: where it is opaque, or not white, as glass is. How many both have, and how many
+#: Pixels of pictures, of which a mask says what is there: where it is not clear, or not white, as glass is. How many both have, and how many
 #: one of them has alone.
 MASKS = '''
 const [one, two, width, height, done] = arguments;
@@ -300,7 +323,7 @@ async function mask(address, there) {
   return all;
 }
 (async () => {
-  const a = await mask(one, (r, g, b, alpha) => alpha > 127), b = await mask(two, (r, g, b) => r + g + b < 762);
+  const a = await mask(one, (r, g, b, alpha) => alpha > 40), b = await mask(two, (r, g, b) => r + g + b < 762);
   // Pixels of one of them that are more than two pixels away from the other one: lines differ in their widths.
   const away = (one, two) => one.filter((x, i) => {
     if (!x) return false;
@@ -340,6 +363,14 @@ def drawn(b, scc, model):
         return f.read()
 
 
+#: A wall that hides what moves, and what is beside it; all around it is empty.
+WALL = """import <solids>
+fixed wall = box(1/2, 12, 12) at translate (5, 0, 0)
+process a = solids.Cube(1) mass 1 velocity (1, 0, 0) [nil]
+process b = solids.Cube(1) mass 1 velocity (0, 0, 0) at translate (8, 2, 0) [nil]
+check m : always vx(a) >= 0
+"""
+
 #: Models, scripts that lead to a state and a camera.
 SIGHTS = [
     (HEXOKINASE, ''),
@@ -357,7 +388,9 @@ SIGHTS = [
 
 def silhouettes(b, scc):
     """The command on the page draws what the page shows, in the same frame: all bodies of both cover the same."""
-    for model, script in SIGHTS:
+    wall = written(scc, WALL)
+    for model, script in [*SIGHTS, (wall, ''), (wall, 'document.getElementById("tool-projection").click()'),
+                          (wall, 'document.getElementById("tool-up").click()')]:
         if not os.path.exists(model):
             check(f'{model} is there', False)
             continue

@@ -2,7 +2,7 @@
 
 /**
  * The view of the newest document, in a frame. A new one is loaded behind the one that is seen, and takes over from it
- * from where one looks, which panels are open, and, where the text is the same, run and time.
+ * from where one looks, if one has moved the camera, which panels are open, and, where the text is the same, run and time.
  */
 const Frames = (() => {
   // Parts of a view's address that are of any model.
@@ -43,10 +43,12 @@ const Frames = (() => {
     }
   }
 
-  /** The address of what is seen, after #. */
+  /** The address of what is seen, after #; with the camera if it was moved by hand, or else the view chooses its own. */
   function link() {
     const view = page(seen);
-    return view ? String(view.link()) : "";
+    if (!view) return "";
+    const parts = String(view.link()).split("&");
+    return (view.moved() ? parts : parts.filter((part) => !part.startsWith("camera="))).join("&");
   }
 
   /** @param {string} address @param {boolean} whole */
@@ -98,7 +100,7 @@ const Frames = (() => {
     const before = page(seen);
     const view = page(frame);
     if (run !== null) open(view, run);
-    if (before && !related(before, view)) click(frame, '[data-testid="fit"]');
+    if (before && (!related(before, view) || (before.inView() && !view.inView()))) click(frame, '[data-testid="fit"]');
     // One button for both pages is enough.
     const theme = frame.contentDocument && frame.contentDocument.getElementById("theme");
     if (theme) theme.hidden = true;

@@ -1,5 +1,4 @@
 open Scc_base
-open Scc_exact
 open Scc_semantics
 open Scc_property
 open Scc_verify
@@ -43,51 +42,6 @@ let about (outcome : Verdict.outcome) : Runs.about =
     text = Verdict.outcome_to_string outcome;
   }
 
-(* The times of a simulation, and how many steps of a run are shown. *)
-type simulated = { until : Rat.t; most_steps : int; mutable steps : int }
-
-(* A run that is interrupted is shown as far as it came, and of a simulation also one that was given up. *)
-let ended (l : Loaded.t) simulated = function
-  | Ok ending -> Ok ending
-  | Error (Replay.Interrupted _) -> Ok Replay.Open
-  | Error (Refused d) -> Error [ d ]
-  | Error (Fault f) when Option.is_some simulated -> Ok (Stuck f)
-  | Error (Fault f) -> Error [ Replay.diagnostic l.model f ]
-
-let replay (l : Loaded.t) simulated policy limits ~interrupted (note : Replay.event -> unit) =
-  let counted (event : Replay.event) =
-    (match (event, simulated) with
-     | Step _, Some s -> s.steps <- s.steps + 1
-     | (Start _ | Step _ | Instant _ | End _), _ -> ());
-    note event
-  in
-  let enough () = match simulated with Some s -> s.steps >= s.most_steps | None -> false in
-  let interrupted () = enough () || interrupted () in
-  ended l simulated
-    (Replay.run ~joint:(Option.is_some simulated) l.semantics l.declared policy limits ~interrupted counted)
-
-(* A run by choices, up to where it ends. *)
-let follow (l : Loaded.t) simulated policy limits ~interrupted =
-  let initial = ref l.declared and steps = ref [] and offset = ref Rat.zero in
-  let note : Replay.event -> unit = function
-    | Start s -> initial := s
-    | Step { index; among; taken; state; _ } ->
-      let choice = if index < among then Some index else None in
-      steps := { Runs.choice; label = taken.label; rules = taken.rules; after = state () } :: !steps
-    | Instant i -> offset := i.offset
-    | End _ -> ()
-  in
-  let* ending = replay l simulated policy limits ~interrupted note in
-  Ok (!initial, List.rev !steps, !offset, ending)
-
-let ending (l : Loaded.t) (e : Replay.ending) =
-  match e with
-  | Open -> []
-  | Quiescent -> [ "nothing happens any more" ]
-  | Zeno -> [ "the run was stopped: it went on within one instant" ]
-  | Broken_off -> [ "the run was interrupted" ]
-  | Stuck f -> [ (Replay.diagnostic l.model f).message ]
-
 (* {1 The document} *)
 
 type making = {
@@ -96,13 +50,16 @@ type making = {
   states : States.t;
   plots : Property.num list;
   most : int;
-  simulated : simulated option;
+  bits : int option;
+  simulated : Shown_run.simulated option;
 }
 
-let until making = Option.map (fun s -> s.until) making.simulated
+let until making = Option.map (fun s -> s.Shown_run.until) making.simulated
 
 let world_of making semantics =
-  States.world making.states making.tables ~words:(fun m l -> Run_text.label m l) ~plots:making.plots semantics
+  States.world ?bits:making.bits making.states making.tables
+    ~words:(fun m l -> Run_text.label m l)
+    ~plots:making.plots semantics
 
 let with_leaves making = Runs.with_leaves making.tables ~of_document:making.loaded.model
 
@@ -127,16 +84,22 @@ let large_run making world ~name policy limits ~interrupted =
     | _, Some r -> Large_run.step r event
     | _, None -> Bug.fail __POS__ "a run without a start"
   in
-  let* how = replay l making.simulated policy limits ~interrupted note in
-  let told r = Large_run.run ?until:(until making) r ~name ~finish:(Trace.ending how) ~ending:(ending l how) in
+  let* how = Shown_run.replay l making.simulated policy limits ~interrupted note in
+  let ending = Shown_run.ending l how in
+  let told r = Large_run.run ?until:(until making) r ~name ~finish:(Trace.ending how) ~ending in
   match !run with Some r -> Ok (told r) | None -> Bug.fail __POS__ "a run without a start"
 
 let small_run making world ~name policy limits ~interrupted =
   let l = making.loaded in
-  let* initial, steps, offset, how = follow l making.simulated policy limits ~interrupted in
+  let too_long state =
+    match (policy : Replay.policy) with
+    | First -> States.too_long world state
+    | Random _ | Scheduled _ -> false
+  in
+  let* r = Shown_run.follow l making.simulated policy limits ~too_long ~interrupted in
   Ok
-    (Runs.of_steps ?until:(until making) making.states world ~most:making.most ~name ~initial steps ~offset
-       ~finish:(Trace.ending how) ~ending:(ending l how))
+    (Runs.of_steps ?until:(until making) making.states world ~most:making.most ~name ~initial:r.initial r.steps
+       ~offset:r.offset ~finish:(Trace.ending r.ending) ~ending:r.words)
 
 let run_by_choices making = if Large_run.is_for making.loaded.model then large_run making else small_run making
 
@@ -151,6 +114,14 @@ let from_start making (l : Loaded.t) values ~name ~interrupted =
   let* run = run_by_choices at_point world ~name First limits ~interrupted in
   Ok { (with_leaves making point.model run) with values }
 
+(* A run that no verdict rests on leads to what was not explored. *)
+let unexplored (outcome : Verdict.outcome) (run : Runs.t) =
+  match outcome.verdict with
+  | Undecided _ ->
+    let ending = [ "in the nearest unexplored state that matters" ] in
+    { run with course = Option.map (fun c -> { c with Runs.ending }) run.course }
+  | Holds _ | Violated _ | Measured _ | Depends _ -> run
+
 let of_check making world (l : Loaded.t) ~interrupted (outcome : Verdict.outcome) =
   let name = outcome.check.name and about = about outcome in
   match (Verdict.shown outcome.verdict, outcome.scale.over) with
@@ -160,14 +131,15 @@ let of_check making world (l : Loaded.t) ~interrupted (outcome : Verdict.outcome
   | None, _ -> Ok [ Runs.none ~name about ]
   | Some w, _ -> (
       let told world ~name about w = Runs.of_witness making.states world ~most:making.most ~name about w in
+      let shown world = unexplored outcome (told world ~name (Some about) w) in
       let other world (o : Scc_explain.Witness.otherwise) =
         { (told world ~name:(name ^ ", otherwise") None o.run) with contrast = Some o.shared }
       in
       match w.fixed with
-      | None -> Ok (told world ~name (Some about) w :: Option.to_list (Option.map (other world) w.otherwise))
+      | None -> Ok (shown world :: Option.to_list (Option.map (other world) w.otherwise))
       | Some f ->
         let world = world_of making f.semantics in
-        Ok [ with_leaves making (Semantics.model f.semantics) (told world ~name (Some about) w) ])
+        Ok [ with_leaves making (Semantics.model f.semantics) (shown world) ])
 
 (* What was found, and what of it is drawn over the starts. *)
 let report console o (l : Loaded.t) checks watch =
@@ -279,6 +251,7 @@ let document console o watch =
       states = States.create ();
       plots = numbers @ List.filter (fun n -> not (List.exists (Formula.equal_num n) numbers)) named;
       most = Graph.bound point.model o.graph;
+      bits = (match o.budget.bits with Some n -> Some n | None -> Bounds.value Bounds.default.bits);
       simulated = None;
     }
   in
@@ -334,7 +307,7 @@ let bytes_since making (first_state, first_process) =
 let simulated_run making world s (run : Spread.shown) ~cut ~interrupted =
   let seed = Scc_simulate.Simulation.seed_of s.spread.seed run.number in
   let time = match cut with Some time -> Some time | None -> s.limits.time in
-  Option.iter (fun (m : simulated) -> m.steps <- 0) making.simulated;
+  Option.iter (fun (m : Shown_run.simulated) -> m.steps <- 0) making.simulated;
   let name = Printf.sprintf "run %d" run.number in
   let* made = run_by_choices making world ~name (Random seed) { s.limits with time } ~interrupted in
   let shortened =
@@ -356,6 +329,7 @@ let simulated (l : Loaded.t) ~name s ~cut ~interrupted =
       states = States.create ();
       plots = s.numbers;
       most = 0;
+      bits = None;
       simulated = Some { until = s.spread.times.(Array.length s.spread.times - 1); most_steps; steps = 0 };
     }
   in

@@ -34,7 +34,7 @@ let look states world ~most (n, state) =
     List.rev found
 
 let expand states world ~most (n, state) =
-  if States.has_next states n then [] else look states world ~most (n, state)
+  if States.has_next states n || States.too_long world state then [] else look states world ~most (n, state)
 
 let reach states world ~most (n, state) =
   if not (States.told states n) then ignore (look states world ~most (n, state))

@@ -11,8 +11,8 @@ type t = {
 }
 
 val expand : States.t -> States.world -> most:int -> int * State.t -> (int * State.t) list
-(** Adds the transitions of a state, unless the document has them, and returns the states that are new. No state
-    is added beyond [most] states. *)
+(** Adds the transitions of a state, unless the document has them or the numbers of the state are
+    {!States.too_long}, and returns the states that are new. No state is added beyond [most] states. *)
 
 val reach : States.t -> States.world -> most:int -> int * State.t -> unit
 (** Adds the transitions of a state and their targets, also those targets for which there was no room before. *)

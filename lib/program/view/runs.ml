@@ -192,7 +192,7 @@ let a_while semantics ~over state =
 
 let finished ?until states world ~most (n, state) ~rests ~over offset =
   let semantics = States.semantics world in
-  if rests && Network.quiescent semantics state then begin
+  if rests && (not (States.too_long world state)) && Network.quiescent semantics state then begin
     let wanted, most_turns =
       match until with
       | Some time -> (Rat.max offset (Rat.sub time over), most_turns_until)

@@ -38,13 +38,16 @@ and world = {
   plots : Property.num list;
   semantics : Semantics.t;
   numbers : int Numbers.t;
+  bits : int;
 }
 
 let none = function [] -> true | _ :: _ -> false
 let create () = Growable.create ()
 
-let world entries tables ~words ~plots semantics =
-  { entries; tables; words; plots; semantics; numbers = Numbers.create 64 }
+let world ?(bits = max_int) entries tables ~words ~plots semantics =
+  { entries; tables; words; plots; semantics; numbers = Numbers.create 64; bits }
+
+let too_long w state = w.bits < max_int && (Length.longest state).bits > w.bits
 
 let semantics w = w.semantics
 let known w state = Numbers.find_opt w.numbers state

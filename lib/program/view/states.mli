@@ -19,12 +19,23 @@ type world
 (** The rules of a model with values for its parameters, and the numbers of its states. *)
 
 val world :
-  t -> Tables.t -> words:(Model.t -> Transition.label -> string) -> plots:Property.num list -> Semantics.t -> world
+  ?bits:int ->
+  t ->
+  Tables.t ->
+  words:(Model.t -> Transition.label -> string) ->
+  plots:Property.num list ->
+  Semantics.t ->
+  world
 (** [world t tables ~words ~plots semantics] adds its states to [t]. [words] describes a label in plain
-    language, and [plots] are the numbers that are plotted. *)
+    language, and [plots] are the numbers that are plotted. Numbers of more than [bits] are too long to go on with:
+    see {!too_long}. *)
 
 val semantics : world -> Semantics.t
 (** The semantics of the model. *)
+
+val too_long : world -> State.t -> bool
+(** [too_long w state] is true if a number of the state has more bits than [w] goes on with: what follows could
+    take for ever. *)
 
 val start : world -> State.t -> int
 (** The number of a state that is stored in full, unless it is known. *)
