@@ -200,6 +200,74 @@ let admitted text from found =
   in
   if String.length before > most_bytes || not (is_beginning before) then found else List.filter is_free found
 
+(* {1 What stands elsewhere}
+
+   The names are known of a text that had the word at the place, half written, or a longer one that is erased by
+   now. A name that stands nowhere else is none. *)
+
+let is_letter c =
+  match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | c -> Char.code c >= 128
+
+(* The name of a word that has bars: `ā` is the co-name of `a`. *)
+let unbarred word =
+  if String.for_all (fun c -> Char.code c < 128) word then word
+  else
+    match (Scc_syntax.Tokens.read (Scc_base.Source.make ~name:"" word)).tokens with
+    | [| { token = BARRED name | NAME name; _ }; _ |] -> name
+    | _ -> word
+
+(* Which of the names stand in the text, but for the word from here to there, and for comments. A module stands as
+   the file of its import. *)
+let written text ~from ~stop names =
+  let n = String.length text and found = Hashtbl.create 64 in
+  let rec after k fits = if k < n && fits text.[k] then after (k + 1) fits else k in
+  let is_mark k mark = k + 1 < n && text.[k] = mark.[0] && text.[k + 1] = mark.[1] in
+  let rec comment k depth =
+    if k >= n then n
+    else if is_mark k "*/" then if depth = 0 then k + 2 else comment (k + 2) (depth - 1)
+    else if is_mark k "/*" then comment (k + 2) (depth + 1)
+    else comment (k + 1) depth
+  in
+  let is_end c = c = '\n' || c = '\r' in
+  let rec scan quoted k =
+    if k < n then
+      match text.[k] with
+      | c when is_letter c ->
+        let next = after k is_letter in
+        let word = unbarred (String.sub text k (next - k)) in
+        if (next <= from || k >= stop) && Hashtbl.mem names word then Hashtbl.replace found word ();
+        scan quoted next
+      | '"' -> scan (not quoted) (k + 1)
+      | c when is_end c -> scan false (k + 1)
+      | '/' when (not quoted) && is_mark k "//" -> scan false (after k (fun c -> not (is_end c)))
+      | '/' when (not quoted) && is_mark k "/*" -> scan false (comment (k + 2) 0)
+      | _ -> scan quoted (k + 1)
+  in
+  scan false 0;
+  found
+
+let standing (known : Known.t) text ~from ~offset found =
+  let rec word_stop k = if k < String.length text && is_letter text.[k] then word_stop (k + 1) else k in
+  (* where nothing is written yet, the word after the place is another one *)
+  let stop = if from = offset then offset else word_stop offset in
+  let word = unbarred (String.sub text from (stop - from)) in
+  let brought = Hashtbl.create 64 in
+  List.iter (fun (_, all) -> List.iter (fun (_, name) -> Hashtbl.replace brought name ()) all) known.modules;
+  let is_of_text o =
+    match o.kind with
+    | "channel" | "body" | "behaviour" | "shape" | "value" ->
+      Option.is_none o.about && not (Hashtbl.mem brought o.name)
+    (* a module may be named by its file, in other letters *)
+    | "module" -> String.equal o.name word
+    | _ -> false
+  in
+  let names = Hashtbl.create 64 in
+  List.iter (fun o -> if is_of_text o then Hashtbl.replace names o.name ()) found;
+  if Hashtbl.length names = 0 then found
+  else
+    let there = written text ~from ~stop names in
+    List.filter (fun o -> not (is_of_text o) || Hashtbl.mem there o.name) found
+
 let at known text offset =
   match Pieces.around text offset with
   | None -> (offset, [])
@@ -208,6 +276,7 @@ let at known text offset =
     let found = offers { known; p; item } in
     let begun = String.sub text from (offset - from) in
     let fits = List.filter (fun o -> begins_with begun o.name) found in
+    let fits = standing known text ~from ~offset fits in
     let fits = match item with Some { word = "check"; _ } -> admitted text from fits | Some _ | None -> fits in
     let kept = Hashtbl.create 64 in
     let is_new o =

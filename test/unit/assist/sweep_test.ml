@@ -159,6 +159,80 @@ let fitting () =
   let counts = Printf.sprintf "%d names at %d places" !offered !places in
   Alcotest.(check bool) counts true (!places > 40 && !offered > 40)
 
+(* {1 The word that is being written} *)
+
+(* Each prefix of a text, and the whole text at the same place, ends within a name that is being written. If that
+   name is offered, then it stands elsewhere, or is offered as well for the text without it: it comes from
+   elsewhere. *)
+let half_written () =
+  let places = ref 0 and wrong = ref [] in
+  let known text = Known.of_text modules (reading text) in
+  let is_letter c = match c with 'a' .. 'z' | 'A' .. 'Z' | '0' .. '9' | '_' | '\'' -> true | _ -> false in
+  let stands word text =
+    let is_it (t : Tokens.token) = 
+      match t.token with
+      | BARRED n -> String.equal n word
+      | _ -> String.equal (String.sub text t.start (t.stop - t.start)) word
+    in
+    Array.exists is_it (Lazy.force (reading text).tokens).tokens
+  in
+  let at file text offset rest =
+    let from, found = Completion.at (known text) text offset in
+    let word = String.sub text from (offset - from) ^ rest in
+    let is_it (o : Completion.offer) = String.equal o.name word in
+    incr places;
+    if word <> "" && List.exists is_it found then begin
+      let stop = offset + String.length rest in
+      let without = String.sub text 0 from ^ String.sub text stop (String.length text - stop) in
+      let is_offered () = List.exists is_it (snd (Completion.at (known without) without from)) in
+      if not (stands word without || is_offered ()) then
+        wrong := Printf.sprintf "%s:%d: %s (%s)" file offset word (List.find is_it found).kind :: !wrong
+    end
+  in
+  let rec word_ends text k = if k < String.length text && is_letter text.[k] then word_ends text (k + 1) else k in
+  let every = match Sys.getenv_opt "SCC_TIMES" with Some n -> Int.max 1 (60 / int_of_string n) | None -> 97 in
+  let k = ref 0 in
+  let model (file, text) =
+    for offset = 1 to String.length text do
+      if is_letter text.[offset - 1] then begin
+        incr k;
+        if !k mod every = 0 then begin
+          at file (String.sub text 0 offset) offset "";
+          at file text offset (String.sub text offset (word_ends text offset - offset))
+        end
+      end
+    done
+  in
+  List.iter model (all_models () @ models "../../../specs/cookbook");
+  texts (Printf.sprintf "%d places" !places) [] (List.rev !wrong);
+  Alcotest.(check bool) (Printf.sprintf "%d places" !places) true (!places > 1_000)
+
+let one = "shape A { vertices p (0,0,0) faces f [p] }\nprocess one = A mass 1 [<~ink, {f}>. nil]\n"
+
+let named known text =
+  List.map (fun (o : Completion.offer) -> o.name) (snd (Completion.at known text (String.length text)))
+
+let just (text, wanted) =
+  let text = one ^ text in
+  texts text wanted (named (Known.of_text modules (reading text)) text)
+
+let by_hand () =
+  List.iter just
+    [
+      ("process two = A mass 1 [<inx", []);
+      ("process two = A mass 1 [<in", [ "ink" ]);
+      ("process two = A mass 1 [<ink", [ "ink" ]);
+      ("// inkpot\n/* inkpot /* inkpot */ */process two = A mass 1 [<inkp", []);
+      ("process two = A mass 1 [<ā, {f}>. <", [ "ink"; "a" ]);
+      ("process two = A mass 1 [<floor", []);
+      ("check c : bound(one, tw", []);
+    ];
+  (* known of the text as it was a moment ago *)
+  let text word = one ^ "process two = A mass 1 [<" ^ word in
+  let known = Known.of_text modules (reading (text "inkpot")) in
+  texts "one letter less" [] (named known (text "inkpo"));
+  texts "what is left" [ "ink" ] (named known (text "in"))
+
 let () =
   Alcotest.run "sweeps of names"
     [
@@ -168,4 +242,5 @@ let () =
           case "predefined names are of no module" of_no_module;
         ] );
       ("what is offered fits", [ case "in the cookbook" fitting ]);
+      ("what is offered stands elsewhere", [ case "by hand" by_hand; case "in all prefixes" half_written ]);
     ]
