@@ -57,3 +57,10 @@ A thousand bodies need no other options, and nothing is left open.
 A short exploration of each shows a run to an unexplored state, also where draws are too many to be joined.
 
   $ for m in $M/crowds/*.sc; do scc check $m --states 30 > short.txt 2>&1; test $? = 2 || echo "$m: $?"; done
+
+If the draws of one instant are more than the bound of states, it ends at once, and says so. Nothing is lost by that: with
+a bound of depth it goes on up to the bound, and knows no more.
+
+  $ scc check $M/crowds/passage.sc -D n=100 --check by_40 | grep -vE '^    [0-9]'
+  $ scc check $M/crowds/passage.sc -D n=100 --check by_40 --states 3000 --depth 1000000 | grep -E '^by_40|^explored'
+  $ scc check $M/crowds/passage.sc -D n=100 --check by_40 --json | grep -A1 '"limit"'
