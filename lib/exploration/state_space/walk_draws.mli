@@ -3,7 +3,7 @@
 open Scc_exact
 
 val most_walkers : int
-(** Of more walkers no joint draws are found. *)
+(** The greatest number of walkers of which {!outcomes} finds the joint draws. *)
 
 val outcomes :
   Walks.t -> int array -> representative:(int array -> int array) -> Joint_draws.outcome list option

@@ -11,7 +11,10 @@ let bits_of_isometries = 6
 let enough = 1024
 
 (* The greatest k for which 2^k is no more than n. *)
-let rec bits n = if n <= 1 then 0 else 1 + bits (n / 2)
+let bits n =
+  let rec count found n = if n <= 1 then found else count (found + 1) (n / 2) in
+  count 0 n
+
 let sum = List.fold_left ( + ) 0
 
 (* How many bodies draw, and a number k: at least 2^k states are found breadth first before the first one in which
