@@ -57,3 +57,29 @@ A thousand bodies need no other options, and nothing is left open.
 A short exploration of each shows a run to an unexplored state, also where draws are too many to be joined.
 
   $ for m in $M/crowds/*.sc; do scc check $m --states 30 > short.txt 2>&1; test $? = 2 || echo "$m: $?"; done
+
+If the draws of one instant are more than the bound of states, it ends at once, and says so. Nothing is lost by that: with
+a bound of depth it goes on up to the bound, and knows no more.
+
+  $ scc check $M/crowds/passage.sc -D n=100 --check by_40 | grep -vE '^    [0-9]'
+  semantics 3: timestep 1 steady, collisions drawn, blocked wait
+  
+  by_40: in [0, 1], as far as is known: the exploration ended at the bound of 200000 states (a default), which the draws of 101 bodies at one instant exceed; 766 unexplored states matter
+    P = ? [ eventually bound(tracer, target) within 40 ]
+    likely cure: `scc estimate --check by_40` tells it from many runs, by an interval with a confidence
+    to the nearest unexplored state that matters:
+  
+  explored: 1021 states, 1020 transitions, depth 5, model time 0; not complete: stopped by the bound of 200000 states (a default), which the draws of 101 bodies at one instant exceed
+    likely cause: many draws of the same instant, each of which has several outcomes: the last 1021 states that were found begin at one instant
+      cure: fewer bodies that draw, or fewer velocities for each of them; ask `possibly` and `always` of named bodies, and others are left out; `scc estimate` for probabilities and means
+    (specs/guide.md, "Why did my model blow up?")
+  1 property: 1 undecided
+  $ scc check $M/crowds/passage.sc -D n=100 --check by_40 --states 3000 --depth 1000000 | grep -E '^by_40|^explored'
+  by_40: in [0, 1], as far as is known: the exploration ended at the bound of 3000 states; 2248 unexplored states matter
+  explored: 2997 states, 2996 transitions, depth 6, model time 0; not complete: stopped by the bound of 3000 states
+  $ scc check $M/crowds/passage.sc -D n=100 --check by_40 --json | grep -A1 '"limit"'
+            "bound": {"limit": "states", "value": 200000, "origin": "default"},
+            "witness": null
+  --
+      "stopped_by": [{"limit": "states", "value": 200000, "origin": "default"}],
+      "faults": [],

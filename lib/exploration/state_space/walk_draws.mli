@@ -2,6 +2,9 @@
 
 open Scc_exact
 
+val most_walkers : int
+(** The greatest number of walkers of which {!outcomes} finds the joint draws. *)
+
 val outcomes :
   Walks.t -> int array -> representative:(int array -> int array) -> Joint_draws.outcome list option
 (** [outcomes w tuple ~representative] is the joint distribution of all draws in a state in which all walkers

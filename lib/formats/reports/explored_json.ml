@@ -14,7 +14,7 @@ let limit : Verdict.limit -> string * Json.t = function
   | Depth n -> ("depth", `Int n)
   | Time t -> ("time", Json.rat t)
   | Instant n -> ("instant", `Int n)
-  | States n -> ("states", `Int n)
+  | States n | Draws { states = n; bodies = _ } -> ("states", `Int n)
   | Bits n -> ("bits", `Int n)
   | Seconds s -> ("seconds", `String (Printf.sprintf "%g" s))
   | Memory words -> ("memory", `Int (Memory.bytes_of_words words))

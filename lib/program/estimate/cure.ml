@@ -5,7 +5,7 @@ open Scc_verify
 (* Runs of a sample are not longer for it, nor are there more of them. *)
 let of_size (t : Verdict.truncation) =
   match t.limit with
-  | States _ | Seconds _ | Memory _ | Interrupted -> true
+  | States _ | Draws _ | Seconds _ | Memory _ | Interrupted -> true
   | Depth _ | Time _ | Instant _ | Bits _ | Omission _ -> false
 
 (* What an estimate tells. *)

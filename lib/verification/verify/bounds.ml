@@ -15,6 +15,7 @@ type t = {
   instant : int bound;
   bits : int bound;
   shared : bool;
+  drawing : int option;
 }
 
 let default =
@@ -28,6 +29,7 @@ let default =
     instant = Default 10_000;
     bits = Default 100_000;
     shared = false;
+    drawing = None;
   }
 
 let value = function
@@ -98,7 +100,11 @@ let cause b model ~horizon (r : _ Explore.reason) =
   | Depth -> Bound (truncation b.depth (fun n -> Verdict.Depth n))
   | Time -> Bound (time b horizon)
   | Instant -> Bound (truncation b.instant (fun n -> Verdict.Instant n))
-  | States -> Bound (truncation b.states (fun n -> Verdict.States n))
+  | States ->
+    let of_number states =
+      match b.drawing with Some bodies -> Verdict.Draws { states; bodies } | None -> States states
+    in
+    Bound (truncation b.states of_number)
   | Bits -> Bound (truncation b.bits (fun n -> Verdict.Bits n))
   | Seconds -> Bound (stopped b Seconds)
   | Memory -> Bound (stopped b Memory)

@@ -19,6 +19,9 @@ type t = {
   instant : int bound;  (** the guard against runs that go on for ever within one instant *)
   bits : int bound;  (** of a number in a state *)
   shared : bool;  (** the seconds are shared with other checks *)
+  drawing : int option;
+  (** The draws of so many bodies at one instant exceed the bound of states, for which the exploration ends before
+      it ({!Draws_ahead}). *)
 }
 
 val default : t

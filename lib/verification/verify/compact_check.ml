@@ -36,7 +36,7 @@ let doubts (bounds, faults) undefined : Verdict.reason list =
 let is_guard (t : Verdict.truncation) =
   match t.limit with
   | Instant _ -> true
-  | Depth _ | Time _ | States _ | Bits _ | Seconds _ | Memory _ | Interrupted | Omission _ -> false
+  | Depth _ | Time _ | States _ | Draws _ | Bits _ | Seconds _ | Memory _ | Interrupted | Omission _ -> false
 
 let search context lost met ~always p (answer : Compact_search.answer) : Verdict.t =
   match answer with

@@ -169,42 +169,7 @@ let is_event context (e : Graph.edge) =
   | Some label -> not (Transition.is_time label)
   | None -> true
 
-(* The first state with a number that is too long. *)
-let growth (r : Unsettled.t) =
-  let told i =
-    let state = Catalogue.decode (Network_lts.catalogue r.context) (Graph.tuple r.graph i) in
-    Bounds.long_number r.model state ~depth:(Graph.depth r.graph i)
-  in
-  Option.map told (Unsettled.first r Bits)
-
-let convergence (r : Unsettled.t) =
-  match Quickening.find r.context r.graph with
-  | Some q -> Some (Verdict.Proved q)
-  | None -> Option.map (fun s -> Verdict.Named s) (Slowing.find r.graph)
-
-(* What is told besides of explorations that met a bound. *)
-type besides = {
-  slow : Verdict.convergence option;
-  likely : Growth.cause list;
-  long : Scc_base.Diag.t option;
-  ended : Verdict.truncation option;
-}
-
-let nothing_besides = { slow = None; likely = []; long = None; ended = None }
-
-(* It looks for the deepest of what may be millions of states, and at some hundreds, which may be large. It takes
-   less than runs that are shown, and comes before them. *)
-let besides (r : Unsettled.t) met =
-  let lost = Lost.make r.bounds r.surroundings.attempt in
-  let causes look = Option.value ~default:[] (Lost.attempt lost (fun () -> look r.context r.graph)) in
-  match Unsettled.stopped_by met with
-  | [] -> nothing_besides
-  | _ :: _ ->
-    let likely = List.concat_map causes Growth.looks in
-    let slow = Option.join (Lost.attempt lost (fun () -> convergence r)) in
-    { slow; likely; long = growth r; ended = (Lost.taken lost).left_out }
-
-let stats (r : Unsettled.t) causes { slow; likely; long; ended } : Stats.t =
+let stats (r : Unsettled.t) causes { Besides.slow; likely; long; ended } : Stats.t =
   {
     states = Graph.size r.graph;
     transitions = Graph.transitions r.graph;
@@ -316,58 +281,73 @@ let conclude (options : Setup.t) (r : Unsettled.t) around sensitivity checks ans
   let outcomes, _ = List.fold_left step ([], answers) (Setup.shares ~size:(fun _ -> 1) ~after:0 checks) in
   List.rev outcomes
 
-(* One exploration for some checks. *)
-let check (options : Setup.t) semantics ~initial (checks : Property.check list) =
-  let plans = List.map (plan_of options) checks in
+(* An exploration for some checks, and what it was for. *)
+type explored = {
+  context : Network_lts.context;
+  horizon : Scc_exact.Rat.t option;
+  asked : Temporal.asked;
+  asks : bool;  (** something is evaluated on the graph *)
+  found : Search.result;
+  drawing : int option;
+}
+
+let rec explored ~looks_ahead (options : Setup.t) semantics ~initial (checks : Property.check list) plans =
   let context = system options semantics ~initial checks plans in
-  let asked = List.concat_map (questions context) plans in
-  let temporals = List.concat_map formulas plans in
+  let questions = List.concat_map (questions context) plans and temporals = List.concat_map formulas plans in
   let horizon = Known_early.horizon (Network_lts.model context) ~initial:(Network_lts.start context) checks in
   let limits = Bounds.limits options.bounds ~horizon in
   let rests = rests context in
   let observe =
     Option.map (fun f _ _ tuple -> f (Catalogue.decode (Network_lts.catalogue context) tuple)) options.observe
   in
-  let asked_formulas = Temporal.ask context temporals in
+  let asked = Temporal.ask context temporals in
   let settled =
-    if early options checks then
-      Known_early.settled options.surroundings asked_formulas ~rests (on_graph checks plans)
+    if early options checks then Known_early.settled options.surroundings asked ~rests (on_graph checks plans)
     else Some (fun _ -> false)
   in
-  let result =
-    Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits)
-      ~expanding:(options.expanding ~about:(about checks)) ~rests limits options.surroundings context asked
+  let drawing = if looks_ahead then Draws_ahead.find options context checks limits else None in
+  let is_tried = Option.is_some drawing in
+  let limits = if is_tried then Draws_ahead.few limits else limits in
+  let expanding = if is_tried then Graph.here else options.expanding ~about:(about checks) in
+  let found =
+    Search.run ?observe ?settled ~order:options.order ~keep_edges:(needs_edges plans limits) ~expanding ~rests
+      limits options.surroundings context questions
   in
-  let graph = result.graph in
-  let r = unsettled options context graph ~horizon in
+  if is_tried && not (Draws_ahead.confirmed found.graph) then
+    explored ~looks_ahead:false options semantics ~initial checks plans
+  else { context; horizon; asked; asks = temporals <> []; found; drawing }
+
+(* One exploration for some checks. *)
+let check (options : Setup.t) semantics ~initial (checks : Property.check list) =
+  let plans = List.map (plan_of options) checks in
+  let e = explored ~looks_ahead:true options semantics ~initial checks plans in
+  let options = { options with bounds = { options.bounds with drawing = e.drawing } } in
+  let graph = e.found.graph in
+  let r = unsettled options e.context graph ~horizon:e.horizon in
   (* Of the check whose turn it is. *)
   let around = ref options.surroundings in
   let surroundings = { !around with stop = (fun () -> !around.stop ()); half = (fun () -> !around.half ()) } in
-  let temporal =
-    match temporals with
-    | [] -> None
-    | _ :: _ ->
-      let seconds = Bounds.value options.bounds.seconds in
-      Some (Temporal.on ~surroundings ?seconds asked_formulas ~rests graph)
-  in
+  let seconds = Bounds.value options.bounds.seconds in
+  let on_graph () = Temporal.on ~surroundings ?seconds e.asked ~rests:(rests e.context) graph in
+  let temporal = if e.asks then Some (on_graph ()) else None in
   let sensitivity =
     Option.map (fun t -> lazy (Temporal.sensitivity t (Option.get options.parameter).parameter)) temporal
   in
   let met = Unsettled.met r in
-  let besides = besides r met in
-  let answers = { searches = result.answers; next_formula = 0; temporal } in
+  let besides = Besides.find r met in
+  let answers = { searches = e.found.answers; next_formula = 0; temporal } in
   let outcomes = conclude options r around sensitivity (List.combine checks plans) answers in
   (* Where all is decided, nobody needs to know why it did not close. *)
   let bounded (_, v, _) = match Verdict.truncated v with [] -> false | _ :: _ -> true in
-  let besides = if checks = [] || List.exists bounded outcomes then besides else nothing_besides in
-  let zeno = zeno r result in
+  let besides = if checks = [] || List.exists bounded outcomes then besides else Besides.none in
+  let zeno = zeno r e.found in
   {
     outcomes;
     stats = stats r met besides;
     zeno;
     lost = Lost.taken r.lost;
     stores = stores r;
-    numbers = (fun () -> Catalogue.longest (Network_lts.catalogue r.context));
+    numbers = (fun () -> Catalogue.longest (Network_lts.catalogue e.context));
   }
 
 let explore ?time_seen ?(visitor = fun _ -> Graph.blind) (options : Setup.t) semantics ~initial =
@@ -380,7 +360,7 @@ let explore ?time_seen ?(visitor = fun _ -> Graph.blind) (options : Setup.t) sem
   in
   let r = unsettled options context graph ~horizon:None in
   let met = Unsettled.met r in
-  (context, graph, stats r met (besides r met))
+  (context, graph, stats r met (Besides.find r met))
 
 let may_have_events (options : Setup.t) semantics ~initial =
   let time_seen = time_seen options (Semantics.model semantics) [] in

@@ -8,6 +8,7 @@ type limit =
   | Time of Rat.t
   | Instant of int
   | States of int
+  | Draws of { states : int; bodies : int }
   | Bits of int
   | Seconds of float
   | Memory of int
@@ -82,7 +83,7 @@ let rank = function
   | Depth _ -> 0
   | Time _ -> 1
   | Instant _ -> 2
-  | States _ -> 3
+  | States _ | Draws _ -> 3
   | Seconds _ -> 4
   | Memory _ -> 5
   | Interrupted -> 6
@@ -152,7 +153,7 @@ let resources v =
     (fun t ->
        match t.limit with
        | Seconds _ | Memory _ | Interrupted -> true
-       | Depth _ | Time _ | Instant _ | States _ | Bits _ | Omission _ -> false)
+       | Depth _ | Time _ | Instant _ | States _ | Draws _ | Bits _ | Omission _ -> false)
     (truncated v)
 
 let by_default = function
@@ -176,7 +177,7 @@ let limit_to_string = function
   | Depth n -> Printf.sprintf "the depth bound %d" n
   | Time t -> Printf.sprintf "the time bound %s" (Rat.to_string t)
   | Instant n -> Printf.sprintf "the bound of %d transition%s within one instant" n (plural n)
-  | States n -> Printf.sprintf "the bound of %d state%s" n (plural n)
+  | States n | Draws { states = n; bodies = _ } -> Printf.sprintf "the bound of %d state%s" n (plural n)
   | Bits n -> Printf.sprintf "the bound of %d bit%s for a number" n (plural n)
   | Seconds s -> Printf.sprintf "the limit of %g second%s" s (if s = 1. then "" else "s")
   | Memory w -> Printf.sprintf "the memory limit of %d MiB" (Memory.bytes_of_words w / Memory.mib)
@@ -194,7 +195,12 @@ let truncation_to_string t =
     | By_property -> " (of the properties)"
     | By_system -> " that the system sets this process (ulimit -v or -d)"
   in
-  limit_to_string t.limit ^ whose
+  let why =
+    match t.limit with
+    | Draws { bodies; _ } -> Printf.sprintf ", which the draws of %d bodies at one instant exceed" bodies
+    | Depth _ | Time _ | Instant _ | States _ | Bits _ | Seconds _ | Memory _ | Interrupted | Omission _ -> ""
+  in
+  limit_to_string t.limit ^ whose ^ why
 
 let reason_to_string = function
   | Truncated t -> "the exploration ended at " ^ truncation_to_string t

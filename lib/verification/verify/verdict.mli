@@ -10,6 +10,8 @@ type limit =
   | Time of Rat.t
   | Instant of int  (** the guard against runs that go on for ever within one instant *)
   | States of int
+  | Draws of { states : int; bodies : int }
+  (** a bound of states that draws of so many bodies at one instant exceed: it was known before it was met *)
   | Bits of int  (** the length of a number *)
   | Seconds of float
   | Memory of int  (** words *)

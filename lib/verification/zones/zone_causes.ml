@@ -8,7 +8,7 @@ let fewest = 12
 
 let resources (t : Verdict.truncation) =
   match t.limit with
-  | Depth _ | States _ | Seconds _ | Memory _ | Interrupted -> true
+  | Depth _ | States _ | Draws _ | Seconds _ | Memory _ | Interrupted -> true
   | Time _ | Instant _ | Bits _ | Omission _ -> false
 
 let waits (node : Zone_graph.node) =

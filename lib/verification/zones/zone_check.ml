@@ -107,7 +107,7 @@ let rests_on_proof answer (where : Where.t) (verdict : Verdict.t) =
 let is_open ~asked ~exactly (e : Zone_explored.t) =
   let of_size (t : Verdict.truncation) =
     match t.limit with
-    | Depth _ | States _ | Time _ -> true
+    | Depth _ | States _ | Draws _ | Time _ -> true
     | Seconds _ -> asked
     | Instant _ | Bits _ | Memory _ | Interrupted | Omission _ -> false
   in

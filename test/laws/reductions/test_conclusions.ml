@@ -24,7 +24,7 @@ let limit : Verdict.limit -> string = function
   | Depth _ -> "depth"
   | Time _ -> "time"
   | Instant _ -> "instant"
-  | States _ -> "states"
+  | States _ | Draws _ -> "states"
   | Bits _ -> "bits"
   | Seconds _ -> "seconds"
   | Memory _ -> "memory"

@@ -10,4 +10,5 @@ let () =
       Test_left_out.suite;
       Test_advice.suite;
       Test_shares.suite;
-      Test_cut_short.suite ]
+      Test_cut_short.suite;
+      Test_draws_ahead.suite ]
