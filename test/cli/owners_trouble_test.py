@@ -2,7 +2,7 @@
 """What goes wrong among owners (`scc successors --owner K/N`): others that are none, are lost, or say what no owner says;
 files that are damaged. Each owner ends in time, with its exit code and with words.
 
-    owners_trouble_test.py SCC MODEL
+    owners_trouble_test.py SCC MODEL RUIN    # RUIN: specs/models/ruin.sc, with probabilities
 """
 
 import hashlib
@@ -18,7 +18,7 @@ import threading
 
 from owners_test import Owners
 
-scc, model = sys.argv[1:]
+scc, model, ruin = sys.argv[1:]
 passed = failed = 0
 HELLO = 12 + 4 + 96
 
@@ -33,8 +33,8 @@ def tell(name, wrong):
 class One:
     """One owner, with what it writes."""
 
-    def __init__(self, number, count, size=12):
-        words = [scc, 'successors', model, '-D', 'n=%d' % size, '--owner', '%d/%d' % (number, count)]
+    def __init__(self, number, count, size=12, of=None):
+        words = [scc, 'successors', *(of or [model, '-D', 'n=%d' % size]), '--owner', '%d/%d' % (number, count)]
         self.process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.port = json.loads(self.process.stdout.readline())['owner']['port']
 
@@ -94,7 +94,7 @@ def greet(s, secret=b's', change=lambda hello: hello):
     return receive(s, 32) == hmac.new(secret, b'proof' + theirs + mine, hashlib.sha256).digest()
 
 
-def called(name, code, words, what, **asked):
+def called(name, code, words, what, of=None, **asked):
     """The second owner calls a program that does this."""
     s, port = listening()
 
@@ -106,7 +106,7 @@ def called(name, code, words, what, **asked):
         except OSError:
             pass
     threading.Thread(target=work, daemon=True).start()
-    owner = One(2, 2)
+    owner = One(2, 2, of=of)
     owner.begin([port, owner.port], **asked)
     tell(name, owner.end(code, words))
     s.close()
@@ -137,6 +137,9 @@ def others():
     called('what are no states', 3, 'SC0924', greeted(frame(b'R', b'\xff' * 40)))
     called('an empty summary', 3, 'SC0924', greeted(frame(b'P') * 2))
     called('half a message', 4, 'owner 1 is lost', lambda s: (greet(s), s.sendall(b'\5\0'), s.shutdown(socket.SHUT_RDWR)))
+    chances = dict(of=[ruin], evaluate=True)
+    for what, kind in (('no transitions', b'A'), ('no question', b'V'), ('no answer', b'W'), ('nodes for another owner', b'N')):
+        called(what, 3, 'SC0924', greeted(frame(kind, b'\x7f' * 9)), **chances)
     called('no token', 3, 'SC0924', greeted(frame(b'K')), order='any')
     called('a goal that is not there', 3, 'SC0924', greeted(frame(b'M', b'\x7f')), order='any')
     s, port = listening()
@@ -168,7 +171,7 @@ def strangers():
     owners[1].begin(ports, secret='t')
     tell('a wrong secret calls', owners[1].end(3, 'SC0924'))
     tell('it is turned away', owners[0].end(4, '1 that called were turned away, the last since'))
-    for other in ({'run': '2'}, {'order': 'any'}, {'states': 5}):
+    for other in ({'run': '2'}, {'order': 'any'}, {'states': 5}, {'evaluate': True}):
         owners = [One(1, 2), One(2, 2)]
         ports = [o.port for o in owners]
         owners[0].begin(ports)

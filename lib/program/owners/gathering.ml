@@ -78,12 +78,13 @@ let read_answer text =
   if Packed.below 2 ~what:"the kind of an answer" s = 0 then Ok (Packed.rational s) else Error (Packed.text s)
 
 let heard g peer kind text =
+  let is_for_first kind = Mesh.number g.mesh = 0 && (Char.equal kind nodes || Char.equal kind arcs) in
   if Char.equal kind arrow then
     Records.read g.records.(peer) g.part ~sender:peer text (fun a -> Queue.push a g.arrows)
-  else if Char.equal kind nodes || Char.equal kind arcs then for_first g peer kind text
+  else if is_for_first kind then for_first g peer kind text
   else if Char.equal kind question then Mesh.post g.mesh peer answer (answer_to g text)
   else if Char.equal kind answer then g.answer <- Some (read_answer text);
-  List.exists (Char.equal kind) [ arrow; nodes; arcs; question; answer ]
+  Char.equal kind arrow || Char.equal kind question || is_for_first kind || Char.equal kind answer
 
 let extent graph node = Timed_graph.extent (Timed_graph.flow (Gathered.graph graph) node)
 

@@ -75,8 +75,8 @@ let greeted self t ~wanted text =
     Failure.refused "%s is another version of scc" who;
   if not (String.equal (part text 1) (part t.mine 1)) then
     Failure.refused
-      "%s explores something else: another model, other options, or another `run', `order' or `states' in its \
-       first line"
+      "%s explores something else: another model, other options, or another `run', `order', `states' or \
+       `evaluate' in its first line"
       who;
   t.theirs <- Some text;
   write t.fd (hmac self.secret ("proof" ^ t.mine ^ text))
