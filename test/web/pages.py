@@ -657,6 +657,16 @@ check meets : possibly x(q) - x(p) <= 2 and x(p) > 0
     same('nothing is said on the console', b.complaints(), [])
     b.js('scc.go(1)')
     same('nor at another instant', b.complaints(), [])
+    # What changes by 1 is seen to change, and what is tiny has its own scale.
+    for where, by in [('1e12', '1'), ('0', '1e-9'), ('-1e12', '1')]:
+        b.open(scc.view(written(scc, f'process p = box({by}, {by}, {by}) mass 1 velocity ({by}, 0, 0) at translate ({where}, 0, 0) [nil]\n'
+                                     f'check c : eventually x(p) > {where} + 9*{by} within 2\n')))
+        heights = b.js("""
+          const line = document.querySelector("[data-testid=plot-0] path.plot-line").getAttribute("d");
+          return line.slice(1).split("L").map((at) => Number(at.split(" ")[1]));""")
+        check(f'a change by {by} at {where} is drawn', max(heights) - min(heights) > 30, heights)
+        marks = b.js('return [...document.querySelectorAll("[data-testid=plot-0] .plot-tick")].map((t) => t.textContent)')
+        check(f'its marks differ, at {where}', len(set(marks)) == len(marks) > 1, marks)
 
 
 def by_keys(b, scc):

@@ -141,14 +141,28 @@ let apply t env (e : Ast.expr) (f : Ast.name) arguments =
     Typed.unknown_function t.c.report f (functions @ Typed.functions);
     None
 
+(* The words that a formula begins with. *)
+let beginnings = [ "possibly"; "always"; "eventually"; "forall"; "exists"; "count"; "event"; "not" ]
+
+(* Of a name that stands alone and is none: a function without its processes, or the first letters of a word. *)
+let half_written name ~known =
+  if List.mem_assoc name one_leaf then Some (Printf.sprintf "say of which process: `%s(p)`" name)
+  else if List.mem_assoc name two_leaves then Some (Printf.sprintf "say of which processes: `%s(p, q)`" name)
+  else if String.length name < 3 || Option.is_some (Scc_base.Diag.suggest name known) then None
+  else
+    List.find_opt (fun word -> String.starts_with ~prefix:name word) (beginnings @ words)
+    |> Option.map (Printf.sprintf "did you mean `%s`?")
+
 let variable t env (path : Ast.path) =
   match path.it with
   | [ { name; indices = [] } ] -> (
       match List.assoc_opt name.it constants with
       | Some v -> Some (value v)
       | None ->
+        let known = List.map fst constants @ Env.names env in
         error t Code.unknown_name path.at "unknown name `%s` in a formula" name.it
-          ~near:(name.it, fun () -> List.map fst constants @ Env.names env);
+          ?hint:(half_written name.it ~known)
+          ~near:(name.it, fun () -> known);
         None)
   | [ { name = { it = ("momentum" | "angular") as of_what; _ }; indices = [] }; { name; indices = [] } ] -> (
       match (of_what, List.assoc_opt name.it axes) with

@@ -103,6 +103,13 @@ let names_and_values =
     case "a type error in a let that nothing uses" "SC0205" "true" "let l = time + true";
     case "an unknown name in a let that nothing uses" "SC0201" "tiem" ~says:"did you mean `time`"
       "let l = possibly tiem > 1";
+    case "a function without its process" "SC0201" "x" ~says:"say of which process: `x(p)`"
+      (cube ^ "process p = Cube mass 1 [nil] check k : possibly x > 1");
+    case "a function without its processes" "SC0201" "distance2" ~says:"`distance2(p, q)`"
+      "let l = possibly distance2 > 1";
+    case "the first letters of a word" "SC0201" "eventu" ~says:"did you mean `eventually`?" "let l = eventu";
+    case "the first letters of a function" "SC0201" "touc" ~says:"did you mean `touching`?"
+      "let l = possibly touc";
     case "a law in a let that nothing uses" "SC0201" "ux" ~says:"in a law of motion" "let l = vx + ux";
     case "a let of a let that nothing uses" "SC0205" "1" "let l = time + (1 and true) let k = l + 1";
     case "a let in a loop that nothing uses" "SC0205" "AF time > 1" ~says:"holds or not at an instant"
