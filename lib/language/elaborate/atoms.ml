@@ -148,6 +148,7 @@ let variable t env (path : Ast.path) =
       | Some v -> Some (value v)
       | None ->
         error t Code.unknown_name path.at "unknown name `%s` in a formula" name.it
+          ?hint:(Typed.without_brackets (("round" :: functions) @ Typed.functions) name.it)
           ~near:(name.it, fun () -> List.map fst constants @ Env.names env);
         None)
   | [ { name = { it = ("momentum" | "angular") as of_what; _ }; indices = [] }; { name; indices = [] } ] -> (
