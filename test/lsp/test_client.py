@@ -36,8 +36,11 @@ async def client(request, lsp_client: LanguageClient, tmp_path):
     (tmp_path / "parts.sc").write_text(PARTS)
     (tmp_path / "main.sc").write_text(MAIN)
     root = tmp_path.as_uri()
+    able = client_capabilities(request.param)
+    argument = able.text_document.signature_help.signature_information.parameter_information
+    lsp_client.takes_places = bool(argument and argument.label_offset_support)
     await lsp_client.initialize_session(
-        T.InitializeParams(capabilities=client_capabilities(request.param), root_uri=root, workspace_folders=[T.WorkspaceFolder(root, "models")])
+        T.InitializeParams(capabilities=able, root_uri=root, workspace_folders=[T.WorkspaceFolder(root, "models")])
     )
     lsp_client.uri = (tmp_path / "main.sc").as_uri()
     lsp_client.text = MAIN
@@ -165,6 +168,10 @@ async def test_completion_and_calls(client: LanguageClient):
     assert "process" in labels(found) and any("SHAPE" in (item.detail or "") for item in found.items)
     found = await client.text_document_signature_help_async(T.SignatureHelpParams(**at(client, "bound(p, q", 9)))
     assert found.signatures[0].label == "bound(body, body)" and found.active_parameter == 1
+    # Of two arguments with one name, editors that can be told mark the one that is meant.
+    named = [p.label for p in found.signatures[0].parameters]
+    assert named in (["body", "body"], [(6, 10), (12, 16)])
+    assert (named != ["body", "body"]) == client.takes_places
 
 
 @pytest.mark.asyncio

@@ -6,7 +6,7 @@ const { LanguageClient, TransportKind } = require("vscode-languageclient/node");
 const { checkAt } = require("./checks");
 const { Panel } = require("./panel");
 
-/** @type {LanguageClient | undefined} */
+/** @type {Client | undefined} */
 let client;
 /** Panels by the address of their document. @type {Map<string, Panel>} */
 const panels = new Map();
@@ -27,9 +27,25 @@ async function explain(what, error) {
   if (chosen) await vscode.commands.executeCommand("workbench.action.openSettings", "scc.program");
 }
 
+/** What goes wrong is told once: a start by `explain`, a command by the editor, which shows the reason that the server gives. */
+class Client extends LanguageClient {
+  starting = true;
+
+  /** @param {string} message @param {unknown} [data] @param {boolean | "force"} [show] */
+  error(message, data, show) {
+    super.error(message, data, this.starting ? false : show);
+  }
+
+  /** @param {{method: string}} type @param {...any} rest  a token, the error, a value, whether it is shown */
+  handleFailedRequest(type, ...rest) {
+    if (type.method === "workspace/executeCommand") rest[3] = false;
+    return super.handleFailedRequest(type, ...rest);
+  }
+}
+
 async function startServer() {
   const { program } = settings();
-  client = new LanguageClient(
+  client = new Client(
     "scc",
     "Shape Calculus",
     { command: program, args: ["lsp"], transport: TransportKind.stdio },
@@ -48,6 +64,7 @@ async function startServer() {
   );
   try {
     await client.start();
+    client.starting = false;
   } catch (error) {
     client = undefined;
     explain("The language server did not start", error);

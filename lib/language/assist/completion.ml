@@ -229,13 +229,19 @@ let written text ~from ~stop names =
     else comment (k + 1) depth
   in
   let is_end c = c = '\n' || c = '\r' in
+  (* most words of a long text begin otherwise *)
+  let first = Array.make 256 false in
+  Hashtbl.iter (fun name () -> if name <> "" then first.(Char.code name.[0]) <- true) names;
+  let may_be c = Char.code c >= 128 || first.(Char.code c) in
   let rec scan quoted k =
     if k < n then
       match text.[k] with
       | c when is_letter c ->
         let next = after k is_letter in
-        let word = unbarred (String.sub text k (next - k)) in
-        if (next <= from || k >= stop) && Hashtbl.mem names word then Hashtbl.replace found word ();
+        if may_be c && (next <= from || k >= stop) then begin
+          let word = unbarred (String.sub text k (next - k)) in
+          if Hashtbl.mem names word then Hashtbl.replace found word ()
+        end;
         scan quoted next
       | '"' -> scan (not quoted) (k + 1)
       | c when is_end c -> scan false (k + 1)

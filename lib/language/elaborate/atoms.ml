@@ -148,10 +148,13 @@ let beginnings = [ "possibly"; "always"; "eventually"; "forall"; "exists"; "coun
 let half_written name ~known =
   if List.mem_assoc name one_leaf then Some (Printf.sprintf "say of which process: `%s(p)`" name)
   else if List.mem_assoc name two_leaves then Some (Printf.sprintf "say of which processes: `%s(p, q)`" name)
-  else if String.length name < 3 || Option.is_some (Scc_base.Diag.suggest name known) then None
   else
-    List.find_opt (fun word -> String.starts_with ~prefix:name word) (beginnings @ words)
-    |> Option.map (Printf.sprintf "did you mean `%s`?")
+    match Typed.without_brackets (("round" :: functions) @ Typed.functions) name with
+    | Some hint -> Some hint
+    | None when String.length name < 3 || Option.is_some (Scc_base.Diag.suggest name known) -> None
+    | None ->
+      List.find_opt (fun word -> String.starts_with ~prefix:name word) (beginnings @ words)
+      |> Option.map (Printf.sprintf "did you mean `%s`?")
 
 let variable t env (path : Ast.path) =
   match path.it with

@@ -142,6 +142,7 @@ module Algebra = struct
     match path.it with
     | [ { name; indices = [] } ] ->
       Report.error c.report Code.unknown_name path.at "unknown name `%s`; a constant is expected here" name.it
+        ?hint:(Typed.without_brackets ("round" :: Typed.functions) name.it)
         ~near:(name.it, fun () -> Env.names env);
       None
     | _ ->

@@ -70,6 +70,7 @@ module Algebra = struct
         | Some v -> Some (Typed.Num (Law.Var v))
         | None ->
           Report.error c.report Code.unknown_name path.at "unknown name `%s` in a law of motion" name.it
+            ?hint:(Typed.without_brackets (("round" :: functions) @ Typed.functions) name.it)
             ~near:(name.it, fun () -> List.map fst variables @ Env.names env);
           None)
     | _ ->

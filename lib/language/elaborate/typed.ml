@@ -9,6 +9,10 @@ module type ALGEBRA = Algebra.S
 let budget () = { left = Limits.terms; spent_on = Span.none }
 let both = Operations.both
 let functions = Operations.functions
+
+let without_brackets functions name =
+  if List.mem name functions then Some (Printf.sprintf "its arguments stand in brackets after it: `%s(...)`" name)
+  else None
 let described = Operations.described
 let unknown_function = Operations.unknown_function
 

@@ -30,6 +30,9 @@ end
 val functions : string list
 (** The functions of numbers and vectors that every algebra has, in alphabetical order. *)
 
+val without_brackets : string list -> string -> string option
+(** [without_brackets functions name] is the hint for a name that is not known, if it is one of these functions. *)
+
 val described : ('n, 'c) value -> string
 (** The kind of a value as a text: ["a number"], ["a vector"] or ["a truth value"]. *)
 

@@ -4,6 +4,7 @@ type t = {
   encoding : Positions.encoding;
   markdown : bool;
   snippets : bool;
+  places : bool;
   related : bool;
   progress : bool;
   versioned : bool;
@@ -36,6 +37,11 @@ let read params =
     encoding = Positions.chosen (texts (at [ "general"; "positionEncodings" ]));
     markdown = List.mem "markdown" (texts (at [ "textDocument"; "hover"; "contentFormat" ]));
     snippets = can [ "textDocument"; "completion"; "completionItem"; "snippetSupport" ];
+    places =
+      can
+        [
+          "textDocument"; "signatureHelp"; "signatureInformation"; "parameterInformation"; "labelOffsetSupport";
+        ];
     related = can [ "textDocument"; "publishDiagnostics"; "relatedInformation" ];
     progress = can [ "window"; "workDoneProgress" ];
     versioned = can [ "workspace"; "workspaceEdit"; "documentChanges" ];

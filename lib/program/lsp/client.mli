@@ -7,6 +7,7 @@ type t = {
   encoding : Positions.encoding;
   markdown : bool;  (** descriptions may be Markdown *)
   snippets : bool;  (** what completion inserts may have places to be filled in *)
+  places : bool;  (** an argument of a call may be told by its place in the form, not by its name *)
   related : bool;  (** diagnostics may have other places *)
   progress : bool;  (** the server may show progress *)
   versioned : bool;  (** changes may name versions of documents *)

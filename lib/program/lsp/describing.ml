@@ -151,11 +151,17 @@ let completion s params : Json.t =
 
 (* {1 Calls} *)
 
-let signature s params : Json.t =
+let signature (s : Session.t) params : Json.t =
   let of_call (c : Signatures.t) : Json.t =
     let form text : Json.t =
+      (* a name may stand several times: `bound(body, body)` *)
       let argument (start, stop) : Json.t =
-        `Assoc [ ("label", Json.text (String.sub text start (stop - start))) ]
+        let units k = snd (Positions.of_offset (Positions.make Utf16 text) k) in
+        let label : Json.t =
+          if s.client.places then `List [ `Int (units start); `Int (units stop) ]
+          else Json.text (String.sub text start (stop - start))
+        in
+        `Assoc [ ("label", label) ]
       in
       let about = match c.about with None -> [] | Some a -> [ ("documentation", Session.markup s a) ] in
       `Assoc

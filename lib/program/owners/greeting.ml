@@ -7,8 +7,9 @@ let digest_size = 32
 let hello_size = String.length mark + 4 + (3 * digest_size)
 
 let nonce () =
-  let random = open_in_bin "/dev/urandom" in
-  Fun.protect ~finally:(fun () -> close_in random) (fun () -> really_input_string random digest_size)
+  match Scc_system.Randomness.bytes digest_size with
+  | Ok bytes -> bytes
+  | Error why -> Failure.lost "%s" why
 
 let sha text = Sha256.to_bin (Sha256.string text)
 

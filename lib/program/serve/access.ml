@@ -1,13 +1,10 @@
 type t = { port : int; secret : string }
 
-let random_bytes n =
-  let source = open_in_bin "/dev/urandom" in
-  Fun.protect ~finally:(fun () -> close_in_noerr source) (fun () -> really_input_string source n)
-
 let hexadecimal bytes =
   String.concat "" (List.map (fun c -> Printf.sprintf "%02x" (Char.code c)) (List.of_seq (String.to_seq bytes)))
 
-let make ~port = { port; secret = hexadecimal (random_bytes 16) }
+let make ~port =
+  Result.map (fun bytes -> { port; secret = hexadecimal bytes }) (Scc_system.Randomness.bytes 16)
 
 (* Browsers leave the port of HTTP out. *)
 let hosts t =

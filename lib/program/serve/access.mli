@@ -3,8 +3,9 @@
 type t
 (** The port and the secret of a server. *)
 
-val make : port:int -> t
-(** A server on this port, with a new secret of 128 bits from the random source of the system. *)
+val make : port:int -> (t, string) result
+(** A server on this port, with a new secret of 128 bits from the random source of the system. The error says why
+    there is none. *)
 
 val address : t -> string
 (** The address of the server with the secret. It ends with a slash. *)

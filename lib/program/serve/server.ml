@@ -278,8 +278,7 @@ let until_signalled () =
   List.iter (fun s -> ignore (Lwt_unix.on_signal s once)) Scc_system.Interruption.signals;
   stop
 
-let serve how socket =
-  let access = Access.make ~port:(port_of socket) in
+let serve how socket access =
   let t = { how; access; documents = Documents.create (); helper = None } in
   let stop = until_signalled () in
   how.listening (Access.address access);
@@ -296,4 +295,7 @@ let run how =
     (let* socket = listen how.port in
      match socket with
      | Error why -> Lwt.return_error why
-     | Ok socket -> Lwt.map Result.ok (serve how socket))
+     | Ok socket -> (
+         match Access.make ~port:(port_of socket) with
+         | Error why -> Lwt.return_error why
+         | Ok access -> Lwt.map Result.ok (serve how socket access)))

@@ -3,7 +3,8 @@
 open Scc_serve
 
 let port = 4321
-let access = Access.make ~port
+let made ~port = Result.get_ok (Access.make ~port)
+let access = made ~port
 
 (* "/SECRET/" *)
 let root access = "/" ^ List.nth (String.split_on_char '/' (Access.address access)) 3 ^ "/"
@@ -19,7 +20,7 @@ let granted () =
   is "without what is asked of the page" (Some "ask") (rest (root access ^ "ask?x=/../y"));
   is "by name" (Some "") (rest ~host:(Some "LocalHost:4321") (root access));
   is "by its own page" (Some "") (rest ~origin:"http://127.0.0.1:4321" (root access));
-  let standard = Access.make ~port:80 in
+  let standard = made ~port:80 in
   is "at the port of HTTP" (Some "")
     (rest ~access:standard ~host:(Some "127.0.0.1") ~origin:"http://localhost" (root standard))
 
@@ -27,7 +28,7 @@ let refused () =
   let no what ?host ?origin resource = is what None (rest ?host ?origin resource) in
   no "no secret" "/";
   no "nothing" "";
-  no "another secret" (root (Access.make ~port));
+  no "another secret" (root (made ~port));
   no "the secret without a slash" (String.sub (root access) 0 33);
   no "a query before it" ("/?" ^ root access);
   no "without a host" ~host:None (root access);
@@ -40,7 +41,7 @@ let refused () =
   no "no page that says who it is" ~origin:"null" (root access)
 
 let secrets () =
-  let all = List.init 100 (fun _ -> root (Access.make ~port)) in
+  let all = List.init 100 (fun _ -> root (made ~port)) in
   Alcotest.(check int) "no two alike" 100 (List.length (List.sort_uniq String.compare all));
   Alcotest.(check bool) "of 32 digits" true (List.for_all (fun s -> String.length s = 34) all)
 

@@ -218,8 +218,9 @@ def estimate(given: Any, out: Write) -> int:
     options += [w for name in ("check", "property") for text in getattr(given, name) for w in option(name, text)]
     options += ["--normal"] if given.normal else []
     of_answer = (["--json"] if given.json else []) + option("seconds", given.seconds)
-    arguments = dict(options=options, of_answer=of_answer, defines=dict(given.define), scc=given.scc)
-    done = estimated(given.model, where, out, **arguments)
+    done = estimated(
+        given.model, where, out, options=options, of_answer=of_answer, defines=dict(given.define), scc=given.scc
+    )
     clear()
     sys.stderr.write(done.said)
     return done.code

@@ -112,6 +112,7 @@ def estimated(
         judge = started(question.command("--elsewhere", *of_answer, *kept), said)
         try:
             runs: Optional[Runs] = None
+            gauges: Optional[Gauges] = None
             done, text = 0, b""
             assert judge.stdin is not None and judge.stdout is not None
             for line in judge.stdout:
@@ -119,7 +120,7 @@ def estimated(
                     text = line + judge.stdout.read()
                     break
                 asked = json.loads(line)
-                if runs is None:
+                if runs is None or gauges is None:
                     ray = connect(where.address, where.deadline)
                     gauges = Gauges(ray, done="Runs or points that are done", wanted="Runs or points that are wanted")
                     runs = Runs(ray, question)
