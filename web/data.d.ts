@@ -213,6 +213,7 @@ interface PageData {
   parameters: { [name: string]: string };
   name: string;
   text: string;
+  lets?: { [name: string]: string };
   timestep: string;
   resolution: string | null;
   solids: DataSolid[];

@@ -25,6 +25,15 @@ const Meaning = (() => {
   const has = (/** @type {object} */ of, /** @type {string} */ name) => Object.prototype.hasOwnProperty.call(of, name);
 
   /**
+   * The name before a component, and the component; the whole name if there is none.
+   * @param {string} name
+   */
+  const component = (name) => {
+    const [, of = name, axis = ""] = /^(.*)\.([xyz])$/.exec(name) || [];
+    return { of, axis };
+  };
+
+  /**
    * @param {PageData} data @param {DataLeaf[]} leaves @param {number} state @param {Moving[]} bodies @param {Rational | null} time
    * @returns {View}
    */
@@ -280,9 +289,12 @@ const Meaning = (() => {
     const written = (/** @type {string} */ word) => data.text.split(/[^A-Za-z0-9_']+/).includes(word);
     // Templates and families of which there are no bodies.
     const declared = (/** @type {string} */ name) => [...data.text.matchAll(/\b(?:shape|compound|process|fixed)\s+([A-Za-z][A-Za-z0-9_']*)/g)].some(([, word]) => word === name.replace(/[[(].*$/, ""));
-    let size = 0, wide = false;
+    let size = 0, wide = false, within = 0;
     /** @type {Set<number>} */
     const needs = new Set();
+    const lets = data.lets || {};
+    /** @type {Map<string, Term>} what `let`s define, by their names, as far as it was read */
+    const definitions = new Map();
 
     /** @param {string} why @param {Term} at @returns {never} */
     const wrong = (why, at) => {
@@ -328,10 +340,35 @@ const Meaning = (() => {
       return wrong("a number that does not change is expected here", term);
     }
 
+    /**
+     * What is made of a definition, which sees no variables of who uses it. What is wrong with it is wrong at its name.
+     * @template T
+     * @param {string} name @param {Term} term where the name stands @param {(definition: Term) => T} make @returns {T}
+     */
+    function defined(name, term, make) {
+      if (within === 100) wrong("definitions nest too deep", term);
+      within++;
+      try {
+        let found = definitions.get(name);
+        if (!found) definitions.set(name, (found = Reader.read(lets[name])));
+        return make(found);
+      } catch (error) {
+        if (!(error instanceof Reader.Wrong)) throw error;
+        const why = error.whole || within > 1 ? error.message : `in “${Dom.clip(name, 60)}”: ${error.message}`;
+        throw new Reader.Wrong(why, term.at, error.whole);
+      } finally {
+        within--;
+      }
+    }
+
     /** @param {Term} term @param {Bound} bound @returns {boolean} whether it depends on no state */
     function settled(term, bound) {
       if (term.kind === "call") return (has(ofNumbers, term.name || "") || has(ofConstants, term.name || "") || has(ofVectors, term.name || "")) && (term.args || []).every((a) => settled(a, bound));
-      if (term.kind === "path") return bound.has(label(term, bound)) || has(values, label(term, bound));
+      if (term.kind === "path") {
+        const name = label(term, bound), { of } = component(name);
+        if (bound.has(name) || has(values, name)) return true;
+        return has(lets, of) && defined(of, term, (definition) => settled(definition, new Map()));
+      }
       return term.kind !== "each" && (term.args || []).every((a) => settled(a, bound));
     }
 
@@ -616,16 +653,19 @@ const Meaning = (() => {
         const value = Rational.of(values[name]);
         return { type: "number", run: () => value };
       }
+      const { of, axis } = component(name), none = new Map();
+      if (has(lets, name)) return defined(name, term, (definition) => term_(definition, none));
+      if (has(lets, of)) return defined(of, term, (definition) => parts(definition, none)[axes.indexOf(axis)]);
       if (has(alone, name)) {
         wide = wide || name === "processes" || name === "energy";
         return alone[name];
       }
-      const [, quantity, axis] = /^(momentum|angular)\.([xyz])$/.exec(name) || [], k = axes.indexOf(axis);
+      const k = of === "momentum" || of === "angular" ? axes.indexOf(axis) : -1;
       wide = wide || k >= 0;
-      if (quantity === "momentum") return { type: "number", run: (view) => sum(view, ({ process }, mass) => Rational.mul(mass, Rational.of(process.velocity[k]))) };
-      if (quantity === "angular") return { type: "number", run: (view) => sum(view, (body, mass) => angular(view, body, mass)[k]) };
+      if (k >= 0 && of === "momentum") return { type: "number", run: (view) => sum(view, ({ process }, mass) => Rational.mul(mass, Rational.of(process.velocity[k]))) };
+      if (k >= 0) return { type: "number", run: (view) => sum(view, (body, mass) => angular(view, body, mass)[k]) };
       if (named.has(name)) return wrong("say what of a body is meant, as in x(p)", term);
-      return wrong(`the page does not know “${Dom.clip(name, 60)}”; the names that a model defines ${served}`, term);
+      return wrong(`the page does not know “${Dom.clip(name, 60)}”; what loops and imports define ${served}`, term);
     }
 
     const term = Reader.read(text), made = term_(term, new Map());

@@ -20,6 +20,15 @@ type t = {
 
 (* {1 All but the rows} *)
 
+(* What the text itself defines outside loops; what imports define has names with a dot. *)
+let lets source =
+  let add found (item : Scc_syntax.Ast.item) =
+    match item.it with
+    | Let (name, e) -> (name.it, Scc_syntax.Printer.expr e) :: found
+    | _ -> found
+  in
+  List.rev (List.fold_left add [] (Scc_notation.Notation.readable source))
+
 let graph =
   fields
     [
@@ -43,6 +52,9 @@ let head =
        within (fun (d, _) -> d.loaded.origin) Origin_json.fields;
        field "name" text (fun (d, _) -> d.name) ~about:"Of the file.";
        field "text" text (fun (d, _) -> Scc_base.Source.text d.loaded.source) ~about:"Of the model.";
+       maybe "lets" (entries some_text)
+         (fun (d, _) -> match lets d.loaded.source with [] -> None | all -> Some all)
+         ~about:"What the model defines by `let` outside loops, as the language writes it.";
        field "timestep" Shared.rational (model (fun m -> m.timestep));
        field "resolution" (nullable Shared.rational) (model Model.resolution);
        field "families" (list some_text) (model (fun m -> Array.to_list (Families.of_model m).names))
