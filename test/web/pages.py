@@ -1156,7 +1156,7 @@ def large(b, scc):
     b.find('plot-input').send_keys('bonds() + 3', Keys.ENTER)
     check('a number about all bodies is on its way', b.js('return scc.busy()'))
     check('it is drawn', b.wait('return !scc.busy() && document.querySelectorAll(".plot .plot-line").length > 1'))
-    check('the page goes on meanwhile', b.js('return window.ticks') > 20, b.js('return window.ticks'))
+    check('the page goes on meanwhile', b.js('return window.ticks') > 3, b.js('return window.ticks'))
     same('its value', b.js('return scc.plots()[scc.plots().length - 1].value'), '3')
     rows = b.js('return [...document.querySelectorAll(".plot .plot-line")].pop().getAttribute("d")')
     check('along the whole run', len(set(re.findall(r'[ML][0-9.]+ ([0-9.]+)', rows))) == 1 and len(rows) > 1000, rows[:200])
