@@ -198,6 +198,7 @@ def told(part, *arguments):
 
 
 def main():
+    os.makedirs(sys.argv[2], exist_ok=True)
     scc = browser.Program(os.path.abspath(sys.argv[1]), sys.argv[2])
     lacking = browser.missing()
     if lacking:
