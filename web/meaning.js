@@ -289,12 +289,15 @@ const Meaning = (() => {
     const written = (/** @type {string} */ word) => data.text.split(/[^A-Za-z0-9_']+/).includes(word);
     // Templates and families of which there are no bodies.
     const declared = (/** @type {string} */ name) => [...data.text.matchAll(/\b(?:shape|compound|process|fixed)\s+([A-Za-z][A-Za-z0-9_']*)/g)].some(([, word]) => word === name.replace(/[[(].*$/, ""));
-    let size = 0, wide = false, within = 0;
+    let size = 0, wide = false, within = 0, seen = Infinity;
     /** @type {Set<number>} */
     const needs = new Set();
     const lets = data.lets || {};
+    const places = new Map(Object.keys(lets).map((name, i) => [name, i]));
     /** @type {Map<string, Term>} what `let`s define, by their names, as far as it was read */
     const definitions = new Map();
+    /** @param {string} name whether a definition of it is seen: within another one, if it stands before that one */
+    const isDefined = (name) => (places.get(name) ?? Infinity) < seen;
 
     /** @param {string} why @param {Term} at @returns {never} */
     const wrong = (why, at) => {
@@ -347,7 +350,9 @@ const Meaning = (() => {
      */
     function defined(name, term, make) {
       if (within === 100) wrong("definitions nest too deep", term);
+      const before = seen;
       within++;
+      seen = /** @type {number} */ (places.get(name));
       try {
         let found = definitions.get(name);
         if (!found) definitions.set(name, (found = Reader.read(lets[name])));
@@ -358,6 +363,7 @@ const Meaning = (() => {
         throw new Reader.Wrong(why, term.at, error.whole);
       } finally {
         within--;
+        seen = before;
       }
     }
 
@@ -367,7 +373,7 @@ const Meaning = (() => {
       if (term.kind === "path") {
         const name = label(term, bound), { of } = component(name);
         if (bound.has(name) || has(values, name)) return true;
-        return has(lets, of) && defined(of, term, (definition) => settled(definition, new Map()));
+        return isDefined(of) && defined(of, term, (definition) => settled(definition, new Map()));
       }
       return term.kind !== "each" && (term.args || []).every((a) => settled(a, bound));
     }
@@ -654,8 +660,8 @@ const Meaning = (() => {
         return { type: "number", run: () => value };
       }
       const { of, axis } = component(name), none = new Map();
-      if (has(lets, name)) return defined(name, term, (definition) => term_(definition, none));
-      if (has(lets, of)) return defined(of, term, (definition) => parts(definition, none)[axes.indexOf(axis)]);
+      if (isDefined(name)) return defined(name, term, (definition) => term_(definition, none));
+      if (isDefined(of)) return defined(of, term, (definition) => parts(definition, none)[axes.indexOf(axis)]);
       if (has(alone, name)) {
         wide = wide || name === "processes" || name === "energy";
         return alone[name];
