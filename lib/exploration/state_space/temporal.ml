@@ -89,21 +89,10 @@ let on ?surroundings ?seconds asked ~rests graph =
   in
   { context; asked; graph; formulas = Formulas.on ?surroundings ?seconds asked on }
 
+let formulas t = t.formulas
 let eval t = Formulas.eval t.formulas
-let truth t = Formulas.truth t.formulas
-let is_cut_short t = Formulas.is_cut_short t.formulas
-let not_exact t = Formulas.not_exact t.formulas
-let done_with t = Formulas.done_with t.formulas
 let explain t i = Explanation.explain (eval t) (Formulas.formula t.formulas i) (Scc_ctl.Positions.start 0)
 let contrast t explanation = Scc_ctl.Contrast.explain (eval t) explanation
-let is_chain t = Formulas.is_chain t.formulas
-let probability t = Formulas.probability t.formulas
-let curve t = Formulas.curve t.formulas
-let mean ?bound t = Formulas.mean ?bound t.formulas
-let probabilities t = Formulas.probabilities t.formulas
-let doubts_of_mean t = Formulas.doubts_of_mean t.formulas
-let possible_doubts t = Formulas.possible_doubts t.formulas
-let doubts t = Formulas.doubts t.formulas
 let predicate t = Formulas.prop t.asked
 
 type sensitivity = {

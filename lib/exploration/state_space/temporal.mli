@@ -22,32 +22,8 @@ val on :
     Probabilities that take longer than the surroundings (default: {!Scc_graph_search.Limits.quiet}) allow are
     intervals. Exact values may take as much work as fits into so many seconds, and some in any case. *)
 
-val truth : t -> int -> bool option
-(** The truth of the formula with this index in the initial state; [None] if it is undecided. *)
-
-val done_with : t -> int -> unit
-(** Declares that the formula with this index, and all before it, are not used any more. The memory for their
-    values is released. *)
-
-val is_cut_short : t -> bool
-(** [is_cut_short t] is true if a probability or mean that was computed since {!done_with} was called, or ever, is
-    less well known than it would be with more time. *)
-
-val not_exact : t -> Scc_chance.Lifting.given_up option
-(** [not_exact t] is the reason why exact values of a probability or mean were given up for intervals, since
-    {!done_with} was called, or ever; [None] if none were. *)
-
-val is_chain : t -> bool
-(** [is_chain t] is true if no state of the graph leaves a choice ({!Scc_ctl.Timed_graph.is_chain}): then least and
-    greatest probabilities and means are equal. *)
-
-val probability : t -> int -> Property.side -> Scc_ctl.Eval.measured
-(** [probability t i side] is the least or greatest probability of the runs from the initial state that satisfy the
-    operator F, G or U at the top of formula [i]. *)
-
-val curve :
-  t -> int -> Property.side -> ((Scc_ctl.Timeline.moment * Scc_ctl.Eval.measured) list, string) result option
-(** [curve t i side] is {!probability} for all ends of the bound of time of formula [i] ({!Scc_ctl.Eval.curve}). *)
+val formulas : t -> Formulas.t
+(** The formulas on this graph: their truth, probabilities, means and doubts. *)
 
 val explain : t -> int -> Explanation.t
 (** The explanation of a formula that is decided in the initial state.
@@ -57,24 +33,6 @@ val contrast : t -> Explanation.t -> (Explanation.t * int) option
 (** [contrast t e] is a run of the graph that does otherwise than the run of the explanation [e], as an explanation
     of the opposite, with the number of steps of the graph that both share ({!Scc_ctl.Contrast.explain}). It is
     [None] if there is none, or [e] has no run. *)
-
-val doubts : t -> int -> Scc_ctl.Doubts.t
-(** The unexplored nodes and undefined predicates that keep a formula undecided in the initial state. *)
-
-val mean :
-  ?bound:Scc_chance.Answer.bound -> t -> int -> Property.side -> Property.mean -> Scc_ctl.Expectation.answer
-(** [mean t i side mean] is the least or greatest mean over the runs from the initial state (rule Expectation).
-    [i] is the index of the formula of the check with this mean. Another formula is a bug. An interval that decides
-    [bound] is good enough, if it is given. *)
-
-val probabilities : t -> int -> Scc_ctl.Eval.measured list
-(** The known bounds of the probabilities that a formula compares in the initial state, in order. *)
-
-val possible_doubts : t -> int -> Scc_ctl.Doubts.t
-(** The unexplored nodes and undefined predicates that keep the probability of a formula from being known. *)
-
-val doubts_of_mean : t -> int -> Scc_ctl.Doubts.t
-(** The unexplored nodes and undefined predicates that keep the mean of a check from being known. *)
 
 (** {1 As functions of a parameter} *)
 
@@ -87,12 +45,12 @@ val sensitivity : t -> Scc_calculus.Ranges.range -> sensitivity
 
 val probability_function :
   sensitivity -> int -> Property.side -> Scc_chance.Parametric.piece list Scc_ctl.Sensitivity.result
-(** [probability_function s i side] is {!probability} as a function of the parameter. *)
+(** [probability_function s i side] is {!Formulas.probability} as a function of the parameter. *)
 
 val mean_function :
   sensitivity -> int -> Property.side -> Property.mean ->
   Scc_chance.Parametric.piece list Scc_ctl.Sensitivity.result
-(** [mean_function s i side mean] is {!mean} as a function of the parameter. *)
+(** [mean_function s i side mean] is {!Formulas.mean} as a function of the parameter. *)
 
 val where : sensitivity -> int -> Scc_chance.Dependence.set Scc_ctl.Sensitivity.result
 (** [where s i] is the values of the parameter for which the formula with this index holds. *)

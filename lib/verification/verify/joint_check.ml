@@ -47,7 +47,7 @@ let now (r : Unsettled.t) p =
 (* An evaluation that takes longer than there is time for leaves one formula open, and nothing else; what is known
    by then stays known. *)
 let evaluated (r : Unsettled.t) temporal i : Verdict.t =
-  match Unsettled.evaluated r (fun () -> Temporal.truth temporal i) with
+  match Unsettled.evaluated r (fun () -> Formulas.truth (Temporal.formulas temporal) i) with
   | Error why -> Undecided why
   | Ok None -> Undecided (Measuring.formula_doubts r temporal i)
   | Ok (Some truth) -> (
@@ -57,7 +57,7 @@ let evaluated (r : Unsettled.t) temporal i : Verdict.t =
 
 let formula r temporal i =
   let v = evaluated r temporal i in
-  Temporal.done_with temporal i;
+  Formulas.done_with (Temporal.formulas temporal) i;
   v
 
 (* Answers and formulas are taken up in the order of [questions] and [formulas]. *)
@@ -100,7 +100,7 @@ let measured answers find =
     match answers.temporal with Some t -> t | None -> Scc_base.Bug.fail __POS__ "a question that was not asked"
   in
   let v = find temporal i in
-  Temporal.done_with temporal i;
+  Formulas.done_with (Temporal.formulas temporal) i;
   (v, { answers with next_formula = i + 1 })
 
 (* Runs have the chances of one value of the parameter, and are not shown. *)

@@ -4,6 +4,8 @@ open Scc_property
 open Scc_graph_search
 open Scc_state_space
 
+let formulas = Temporal.formulas
+
 let start (s : State.t) = Option.value s.time ~default:Rat.zero
 
 let horizon model ~initial checks =
@@ -23,12 +25,13 @@ type question = { asked : Property.asked; formula : int }
 let is_settled temporal { asked; formula } =
   let explored (d : Scc_ctl.Doubts.t) = d.unexplored = [] in
   match asked with
-  | Whether -> Option.is_some (Temporal.truth temporal formula)
-  | How_likely _ -> explored (Temporal.possible_doubts temporal formula)
-  | Expected (_, (Time_until _ | Events_until _), _) -> explored (Temporal.doubts_of_mean temporal formula)
+  | Whether -> Option.is_some (Formulas.truth (formulas temporal) formula)
+  | How_likely _ -> explored (Formulas.possible_doubts (formulas temporal) formula)
+  | Expected (_, (Time_until _ | Events_until _), _) ->
+    explored (Formulas.doubts_of_mean (formulas temporal) formula)
   | Expected (sides, (Value_at _ as mean), _) ->
     let is_known side =
-      match Temporal.mean temporal formula side mean with
+      match Formulas.mean (formulas temporal) formula side mean with
       | Known _ | Unknown { unexplored = []; _ } -> true
       | Unknown _ -> false
     in

@@ -2,8 +2,10 @@ open Scc_state_space
 open Scc_explain
 open Scc_chance
 
+let formulas = Temporal.formulas
+
 let told what m = Verdict.Undefined (Printf.sprintf "the %s is %s" what (Likelihoods.measured m))
-let intervals temporal i = List.map (told "probability") (Temporal.probabilities temporal i)
+let intervals temporal i = List.map (told "probability") (Formulas.probabilities (formulas temporal) i)
 
 let unclear = Verdict.Undefined "a probability within the formula is not known well enough to be compared"
 
@@ -16,14 +18,14 @@ let given_up (r : Unsettled.t) temporal : Verdict.inexact option =
     | Too_long -> Too_long
     | Too_much -> Too_much
   in
-  Option.map of_reason (Temporal.not_exact temporal)
+  Option.map of_reason (Formulas.not_exact (formulas temporal))
 
 let told_inexact why = Verdict.Undefined (Verdict.inexact_to_string why)
 
 (* A probability that is not known well enough is the reason where there is no other. *)
 let formula_doubts r temporal i =
   let cut_short = Unsettled.cut_short r temporal in
-  match Unsettled.evaluated r (fun () -> (Temporal.doubts temporal i, intervals temporal i)) with
+  match Unsettled.evaluated r (fun () -> (Formulas.doubts (formulas temporal) i, intervals temporal i)) with
   | Error why -> why
   | Ok (doubts, intervals) ->
     let known =
@@ -50,7 +52,8 @@ let reasons (r : Unsettled.t) temporal values doubts =
     let cut_short = Unsettled.cut_short r temporal in
     reasons_of r temporal doubts @ cut_short
 
-let of_sides temporal sides find = Likelihoods.of_sides ~is_chain:(fun () -> Temporal.is_chain temporal) sides find
+let of_sides temporal sides find =
+  Likelihoods.of_sides ~is_chain:(fun () -> Formulas.is_chain (formulas temporal)) sides find
 
 (* The reason why they are intervals, where there is no other. *)
 let inexact r temporal values reasons =
@@ -60,7 +63,7 @@ let inexact r temporal values reasons =
 (* All sides at each moment, without those at which nothing changes. *)
 let points temporal i sides : (Verdict.point list, string) result =
   let of_side (s, curve) = Option.map (Result.map (fun c -> (s, c))) curve in
-  let sides = of_sides temporal sides (Temporal.curve temporal i) in
+  let sides = of_sides temporal sides (Formulas.curve (formulas temporal) i) in
   let* curves = Result.all Fun.id (List.filter_map of_side sides) in
   match curves with
   | (_, first) :: _ ->
@@ -74,10 +77,10 @@ let points temporal i sides : (Verdict.point list, string) result =
   | [] -> Ok []
 
 let probability (r : Unsettled.t) temporal i sides ~curve =
-  match Unsettled.evaluated r (fun () -> of_sides temporal sides (Temporal.probability temporal i)) with
+  match Unsettled.evaluated r (fun () -> of_sides temporal sides (Formulas.probability (formulas temporal) i)) with
   | Error why -> Verdict.Undecided why
   | Ok values ->
-    let reasons = reasons r temporal values (fun () -> Temporal.possible_doubts temporal i) in
+    let reasons = reasons r temporal values (fun () -> Formulas.possible_doubts (formulas temporal) i) in
     (match Unsettled.evaluated r (fun () -> if curve then points temporal i sides else Ok []) with
      | Error why -> Undecided why
      | Ok (Error why) -> Undecided [ Undefined why ]
@@ -97,7 +100,7 @@ let compared r temporal bound m ~reasons : Verdict.t =
     Undecided ((told "mean" m :: reasons) @ List.map told_inexact not_exact)
 
 let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
-  let find side = Temporal.mean ?bound:test temporal i side mean in
+  let find side = Formulas.mean ?bound:test (formulas temporal) i side mean in
   let undefined = function _, Scc_ctl.Expectation.Unknown { reason; _ } -> reason | _, Known _ -> None in
   let unexplored = function _, Scc_ctl.Expectation.Unknown { unexplored; _ } -> unexplored | _, Known _ -> [] in
   let known = function side, Scc_ctl.Expectation.Known m -> Some (side, m) | _, Unknown _ -> None in
@@ -108,9 +111,9 @@ let mean (r : Unsettled.t) temporal i sides mean test : Verdict.t =
       List.map (fun text -> Verdict.Undefined text) texts
       @
       if states = [] then []
-      else Unsettled.unexplored ~cut_short:(Temporal.is_cut_short temporal) r (List.to_seq states)
+      else Unsettled.unexplored ~cut_short:(Formulas.is_cut_short (formulas temporal)) r (List.to_seq states)
     in
-    let of_values values = reasons r temporal values (fun () -> Temporal.doubts_of_mean temporal i) in
+    let of_values values = reasons r temporal values (fun () -> Formulas.doubts_of_mean (formulas temporal) i) in
     match (unknown, List.filter_map known found, test) with
     | (_ :: _ as reasons), _, _ -> Undecided reasons
     | [], ([ (_, m) ] as values), Some bound -> compared r temporal bound m ~reasons:(fun () -> of_values values)
@@ -148,7 +151,7 @@ let shaped r (range : Scc_calculus.Ranges.range) pieces : Depending.value =
 let functions r temporal range sides find =
   let of_side s = Result.map (fun pieces -> (s, shaped r range pieces)) (function_of r range (fun () -> find s)) in
   match sides with
-  | first :: others when Temporal.is_chain temporal ->
+  | first :: others when Formulas.is_chain (formulas temporal) ->
     Result.map (fun (_, p) -> List.map (fun s -> (s, p)) (first :: others)) (of_side first)
   | _ -> Result.all of_side sides
 
@@ -161,7 +164,7 @@ let or_undecided doubts = function
 let probability_function r temporal s i sides parameter =
   functions r temporal parameter sides (Temporal.probability_function s i)
   |> Result.map (fun values -> depends parameter values None)
-  |> or_undecided (fun () -> reasons_of r temporal (fun () -> Temporal.possible_doubts temporal i))
+  |> or_undecided (fun () -> reasons_of r temporal (fun () -> Formulas.possible_doubts (formulas temporal) i))
 
 let mean_function r temporal s i sides mean (test : Answer.bound option) (parameter : Scc_calculus.Ranges.range) =
   let holds = function
@@ -172,7 +175,7 @@ let mean_function r temporal s i sides mean (test : Answer.bound option) (parame
   in
   functions r temporal parameter sides (fun side -> Temporal.mean_function s i side mean)
   |> Result.map (fun values -> depends parameter values (holds values))
-  |> or_undecided (fun () -> reasons_of r temporal (fun () -> Temporal.doubts_of_mean temporal i))
+  |> or_undecided (fun () -> reasons_of r temporal (fun () -> Formulas.doubts_of_mean (formulas temporal) i))
 
 let claim_function r temporal s i (formula : Scc_property.Property.temporal) parameter =
   let side =
@@ -185,4 +188,4 @@ let claim_function r temporal s i (formula : Scc_property.Property.temporal) par
     let* values = functions r temporal parameter side (Temporal.probability_function s i) in
     Ok (depends parameter values (Some set))
   in
-  or_undecided (fun () -> reasons_of r temporal (fun () -> Temporal.possible_doubts temporal i)) found
+  or_undecided (fun () -> reasons_of r temporal (fun () -> Formulas.possible_doubts (formulas temporal) i)) found

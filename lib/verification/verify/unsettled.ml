@@ -5,6 +5,8 @@ open Scc_state_space
 open Scc_explain
 module Graph = State_graph
 
+let formulas = Temporal.formulas
+
 type t = {
   bounds : Bounds.t;
   surroundings : Limits.surroundings;
@@ -35,7 +37,7 @@ let explained r temporal i =
     match made () with
     | Some w -> Some w
     | None ->
-      if Temporal.is_cut_short temporal then Option.iter over (r.surroundings.stop ());
+      if Formulas.is_cut_short (formulas temporal) then Option.iter over (r.surroundings.stop ());
       None
     | exception Scc_ctl.Explanation.Not_known ->
       over (Option.value (r.surroundings.stop ()) ~default:Limits.Seconds)
@@ -79,7 +81,7 @@ let evaluated r f =
 
 let cut_short r temporal =
   match r.surroundings.stop () with
-  | Some stop when Temporal.is_cut_short temporal -> [ Verdict.Unevaluated (Lost.stopped r.lost stop) ]
+  | Some stop when Formulas.is_cut_short (formulas temporal) -> [ Verdict.Unevaluated (Lost.stopped r.lost stop) ]
   | Some _ | None -> []
 
 let first r reason =
@@ -133,4 +135,4 @@ let doubts r temporal (d : Scc_ctl.Doubts.t) =
     List.map (fun (u : Scc_ctl.Doubts.undefined) -> u.reason) d.undefined |> List.sort_uniq String.compare
   in
   List.map (fun text -> Verdict.Undefined text) undefined
-  @ unexplored ~cut_short:(Temporal.is_cut_short temporal) r (List.to_seq d.unexplored)
+  @ unexplored ~cut_short:(Formulas.is_cut_short (formulas temporal)) r (List.to_seq d.unexplored)
